@@ -1,0 +1,66 @@
+// What an answer is, and how contenders give it. Contenders never time, print or grade themselves.
+//
+//   Method::prepare (offline: eigensolve, factorise) -> Prepared::simulate (online: step, reconstruct) -> Trajectory
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cases/contract/model.h"
+
+namespace mb {
+
+// Explicit settings of one contender; what a method does not use stays at its default and is not recorded.
+struct Settings {
+  int modes = 0;                     // elastic modes asked for
+  double time_step = 0;              // [s]
+  double relative_tolerance = 1e-6;  // [-]
+  double load_tolerance = 1e-6;      // [-] resampling of chirps and expressions
+};
+
+struct Sampling {
+  VectorXd t;          // [s] ascending
+  bool strain = true;  // whether strains are wanted at the volume points
+};
+
+// An effect that was simulated or left out, and why.
+struct Decision { std::string effect, subject; bool on; double estimate, tolerance; std::string reason; };
+
+struct BodyTrajectory {
+  MatrixXd displacement;  // [m] 3 p x n_t at EvaluationPoints::all()
+  MatrixXd strain;        // [-] 6 p_volume x n_t, or 0 columns where not wanted
+};
+struct Trajectory {
+  VectorXd t;  // [s]
+  std::vector<BodyTrajectory> bodies;
+  Work work;
+  Status status = Status::ok;
+};
+
+class Prepared {
+ public:
+  virtual ~Prepared() = default;
+  virtual Trajectory simulate(const Sampling& sampling) const = 0;
+  virtual std::vector<Decision> decisions() const { return {}; }
+  virtual int modes_used() const { return -1; }  // elastic modes after rounding up to whole multiplets; -1: not modal
+  virtual Index n_unknowns() const = 0;
+};
+
+// Makes a stepper for a full or reduced system: the harness pairs integrators with systems of either kind.
+struct Integrator {
+  std::string name, doc;
+  std::unique_ptr<Stepper> (*prepare)(const System& system, const Settings& settings, double duration);
+};
+
+class Method {
+ public:
+  virtual ~Method() = default;
+  virtual std::string name() const = 0;
+  virtual std::string doc() const = 0;
+  // The model must outlive what is prepared.
+  virtual std::unique_ptr<Prepared> prepare(const Model& model, const Settings& settings,
+                                            const Integrator& integrator) const = 0;
+};
+
+}  // namespace mb

@@ -1,0 +1,23 @@
+#include "cases/contract/model.h"
+
+namespace mb {
+
+Index EvaluationPoints::size() const { return volume.points.cols() + surface.points.cols() + probes.cols(); }
+
+Matrix3Xd EvaluationPoints::all() const {
+  Matrix3Xd x(3, size());
+  x << volume.points, surface.points, probes;
+  return x;
+}
+
+EvaluationPoints evaluation_points(const Scene& scene, const Body& body) {
+  std::vector<Vector3d> probes;
+  for (const Probe& probe : scene.probes)
+    if (probe.body == body.name) probes.push_back(probe.point);
+  EvaluationPoints points{volume_quadrature(body.shape), surface_quadrature(body.shape),
+                          Matrix3Xd(3, static_cast<Index>(probes.size()))};
+  for (size_t i = 0; i < probes.size(); ++i) points.probes.col(static_cast<Index>(i)) = probes[i];
+  return points;
+}
+
+}  // namespace mb

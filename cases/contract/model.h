@@ -1,0 +1,45 @@
+// What is asked: a scene with its bodies discretised, and the points where answers are compared.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cases/scene/scene.h"
+#include "mechanics/system/system.h"
+
+namespace mb {
+
+// Fixed quadrature in the exact shape, the same for every mesh: volume, then surface, then the scene's probes.
+struct EvaluationPoints {
+  Quadrature volume, surface;
+  Matrix3Xd probes;             // [m] 3 x number of probes of this body
+  Matrix3Xd all() const;        // 3 x (volume + surface + probes)
+  Index size() const;
+};
+EvaluationPoints evaluation_points(const Scene& scene, const Body& body);
+
+// A discretised body: stated here, implemented in reference; a mesh never leaves reference. A body evaluates a point in
+// the polynomial of its nearest cell, the lowest index on ties, points slightly outside the mesh included.
+class FullModel {
+ public:
+  virtual ~FullModel() = default;
+  virtual const System& system() const = 0;
+  virtual SparseMatrix displacement_at(const Matrix3Xd& points) const = 0;  // 3 p x n: xyz of point 0, of point 1, ...
+  virtual SparseMatrix strain_at(const Matrix3Xd& points) const = 0;        // 6 p x n: Voigt xx yy zz yz xz xy, engineering
+  virtual Index n_cells() const = 0;
+  virtual double mesh_volume() const = 0;                                   // [m^3]
+};
+
+struct BodyModel {
+  std::shared_ptr<const FullModel> full;
+  EvaluationPoints points;
+  SparseMatrix displacement;  // 3 p x n at points.all()
+  SparseMatrix strain;        // 6 p_volume x n at points.volume
+};
+
+struct Model {
+  std::shared_ptr<const Scene> scene;
+  std::vector<BodyModel> bodies;  // in the scene's order
+};
+
+}  // namespace mb

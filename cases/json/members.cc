@@ -1,0 +1,74 @@
+#include "cases/json/members.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+
+namespace mb {
+
+void refuse(const std::string& key, const std::string& fault) { throw std::runtime_error("'" + key + "' " + fault); }
+
+long integer(const Json& json, const std::string& key, long lowest, long highest) {
+  const bool fits = json.is_number_integer() &&
+                    (!json.is_number_unsigned() || json.get<std::uint64_t>() <= std::numeric_limits<long>::max());
+  if (!fits || json.get<long>() < lowest || json.get<long>() > highest) {
+    refuse(key, "is not an integer in [" + std::to_string(lowest) + ", " + std::to_string(highest) + "]");
+  }
+  return json.get<long>();
+}
+
+std::string text(const Json& json, const std::string& key) {
+  constexpr std::size_t max_size = 4096;
+  if (!json.is_string()) refuse(key, "is not a string");
+  const std::string& value = json.get_ref<const std::string&>();
+  if (value.size() > max_size) refuse(key, "is longer than " + std::to_string(max_size) + " bytes");
+  return value;
+}
+
+Members::Members(const Json& object, std::string name) : object_(object), name_(std::move(name)) {
+  if (!object.is_object()) refuse(name_, "is not an object");
+}
+
+const Json* Members::find(const std::string& key) {
+  asked_.insert(key);
+  const auto member = object_.find(key);
+  return member == object_.end() ? nullptr : &*member;
+}
+
+const Json& Members::get(const std::string& key) {
+  const Json* const member = find(key);
+  if (member == nullptr) refuse(key, "is missing");
+  return *member;
+}
+
+std::string Members::text(const std::string& key) { return mb::text(get(key), key); }
+
+std::string Members::name(const std::string& key) {
+  std::string value = text(key);
+  const bool good = value.size() <= 64 && std::ranges::all_of(value, [](char c) {
+                      return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+                    });
+  if (!good) refuse(key, "is not a name of at most 64 characters a-z, 0-9 and -");
+  return value;
+}
+
+long Members::integer(const std::string& key, long lowest, long highest) {
+  return mb::integer(get(key), key, lowest, highest);
+}
+
+double Members::number(const std::string& key) {
+  const Json& json = get(key);
+  if (!json.is_number() || !std::isfinite(json.get<double>())) refuse(key, "is not a finite number");
+  return json.get<double>();
+}
+
+void Members::expect_no_more() const {
+  for (const auto& item : object_.items()) {
+    // The key itself is not echoed: it is text from outside.
+    if (!asked_.contains(item.key())) refuse(name_, "has a key that schema 1 does not know");
+  }
+}
+
+}  // namespace mb

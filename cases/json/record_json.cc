@@ -1,0 +1,171 @@
+#include "cases/json/record_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cases/json/members.h"
+
+namespace mb {
+
+namespace {
+
+constexpr long max_count = std::numeric_limits<long>::max();
+constexpr std::size_t max_provenance = 64;  // entries
+constexpr std::size_t max_status = 1000;    // [bytes] kept of a message: readers refuse texts beyond 4096
+
+// The tolerance of an integrator that has one is part of the answer even at its default.
+Json settings_json(const Record& record) {
+  const Settings& settings = record.contender.settings;
+  const Settings standard;
+  const std::string& integrator = record.contender.integrator;
+  Json json = Json::object();
+  if (record.modes_used >= 0 || settings.modes != standard.modes) json["modes"] = settings.modes;
+  if (settings.time_step != standard.time_step) json["time_step"] = settings.time_step;
+  if (integrator == "sundials" || settings.relative_tolerance != standard.relative_tolerance) {
+    json["relative_tolerance"] = settings.relative_tolerance;
+  }
+  if (integrator == "exact" || settings.load_tolerance != standard.load_tolerance) {
+    json["load_tolerance"] = settings.load_tolerance;
+  }
+  return json;
+}
+
+Settings settings_from(const Json& json) {
+  Members members(json, "settings");
+  Settings settings;
+  const auto read = [&](const char* key, double& value) {
+    if (members.find(key) != nullptr) value = members.number(key);
+    if (value < 0) refuse(key, "is negative");
+  };
+  if (members.find("modes") != nullptr) {
+    settings.modes = static_cast<int>(members.integer("modes", 0, std::numeric_limits<int>::max()));
+  }
+  read("time_step", settings.time_step);
+  read("relative_tolerance", settings.relative_tolerance);
+  read("load_tolerance", settings.load_tolerance);
+  members.expect_no_more();
+  return settings;
+}
+
+Json work_json(const Work& work) {
+  return {{"steps", work.steps},
+          {"rejected", work.rejected},
+          {"factorisations", work.factorisations},
+          {"solves", work.solves},
+          {"load_evaluations", work.load_evaluations}};
+}
+
+Work work_from(const Json& json) {
+  Members members(json, "work");
+  const auto count = [&](const char* key) { return members.integer(key, 0, max_count); };
+  const Work work{.steps = count("steps"),
+                  .rejected = count("rejected"),
+                  .factorisations = count("factorisations"),
+                  .solves = count("solves"),
+                  .load_evaluations = count("load_evaluations")};
+  members.expect_no_more();
+  return work;
+}
+
+std::map<std::string, std::string> provenance_from(const Json& json) {
+  if (!json.is_object()) refuse("provenance", "is not an object");
+  if (json.size() > max_provenance) refuse("provenance", "has more than 64 entries");
+  std::map<std::string, std::string> provenance;
+  for (const auto& [key, value] : json.items()) {
+    if (key.size() > 64) refuse("provenance", "has a key longer than 64 bytes");
+    provenance[key] = text(value, "provenance");
+  }
+  return provenance;
+}
+
+Resolution resolution_from(Members& members) {
+  Resolution resolution{.degree = static_cast<int>(members.integer("degree", 0, 99)), .cells = {}};
+  const Json& cells = members.get("cells");
+  if (!cells.is_array() || cells.size() > 3) refuse("cells", "is not a list of at most 3 counts");
+  for (const Json& n : cells) resolution.cells.push_back(static_cast<int>(integer(n, "cells", 1, 1 << 20)));
+  return resolution;
+}
+
+std::string run_from(Members& members) {
+  const std::string run = members.text("run");
+  const bool is_hash = run.size() == 32 && run.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!is_hash) refuse("run", "is not a content hash of 32 hex digits");
+  return run;
+}
+
+std::string one_of(Members& members, const char* key, const std::vector<std::string>& choices) {
+  std::string value = members.text(key);
+  if (std::ranges::find(choices, value) == choices.end()) refuse(key, "is none of its possible values");
+  return value;
+}
+
+double value_from(Members& members, const std::string& status) {
+  if (!members.get("value").is_null()) return members.number("value");
+  if (status == "ok") refuse("value", "is null although the status is ok");
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::optional<double> error_bar_from(Members& members) {
+  if (members.get("error_bar").is_null()) return std::nullopt;
+  const double bar = members.number("error_bar");
+  if (bar < 0) refuse("error_bar", "is negative");
+  return bar;
+}
+
+}  // namespace
+
+Json to_json(const Record& record) {
+  const bool finite = std::isfinite(record.value);
+  const bool has_bar = record.error_bar && std::isfinite(*record.error_bar);
+  Json json;
+  json["schema"] = record_schema;
+  json["run"] = record.run;
+  json["case"] = record.case_name;
+  json["profile"] = record.profile;
+  json["method"] = record.contender.method;
+  json["integrator"] = record.contender.integrator;
+  json["degree"] = record.contender.resolution.degree;
+  json["cells"] = record.contender.resolution.cells;
+  json["settings"] = settings_json(record);
+  json["modes_used"] = record.modes_used;
+  json["n_unknowns"] = record.n_unknowns;
+  json["metric"] = record.metric;
+  json["subject"] = record.subject;
+  json["truth"] = record.truth;
+  json["value"] = finite ? Json(record.value) : Json(nullptr);
+  json["unit"] = record.unit;
+  json["error_bar"] = has_bar ? Json(*record.error_bar) : Json(nullptr);
+  json["status"] = !finite && record.status == "ok" ? "not_finite" : record.status.substr(0, max_status);
+  json["work"] = work_json(record.work);
+  json["provenance"] = record.provenance;
+  return json;
+}
+
+Record record_from_json(const Json& json) {
+  Members members(json, "record");
+  if (integer(members.get("schema"), "schema", 0, max_count) != record_schema) refuse("schema", "is not 1");
+  Record record;
+  record.run = run_from(members);
+  record.case_name = members.name("case");
+  record.profile = one_of(members, "profile", {"quick", "standard", "full"});
+  record.contender = {.method = members.name("method"),
+                      .integrator = members.name("integrator"),
+                      .resolution = resolution_from(members),
+                      .settings = settings_from(members.get("settings"))};
+  record.modes_used = static_cast<int>(members.integer("modes_used", -1, std::numeric_limits<int>::max()));
+  record.n_unknowns = members.integer("n_unknowns", 0, max_count);
+  record.metric = members.name("metric");
+  record.subject = members.name("subject");
+  record.truth = one_of(members, "truth", {"finer", "same_mesh", ""});
+  record.status = members.text("status");
+  record.value = value_from(members, record.status);
+  record.unit = members.text("unit");
+  record.error_bar = error_bar_from(members);
+  record.work = work_from(members.get("work"));
+  record.provenance = provenance_from(members.get("provenance"));
+  members.expect_no_more();
+  return record;
+}
+
+}  // namespace mb

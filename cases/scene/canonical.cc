@@ -1,0 +1,98 @@
+// Canonical text: one line a value, doubles with 17 digits (which name each double uniquely), text with its length.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cases/scene/read_toml.h"
+#include "cases/scene/resolution.h"
+#include "mechanics/geometry/overloaded.h"
+
+namespace mb {
+
+namespace {
+
+std::string number(double x) { return fmt::format("{:.17g}", x + 0.0); }  // -0 is 0
+
+std::string vector(const Vector3d& x) { return fmt::format("{} {} {}", number(x[0]), number(x[1]), number(x[2])); }
+
+std::string list(const std::vector<double>& values) {
+  std::string out = fmt::format("{}", values.size());
+  for (double x : values) out += fmt::format(" {}", number(x));
+  return out;
+}
+
+std::string canonical(const Shape& shape) {
+  const std::string numbers =
+      std::visit(overloaded{[](const Box& box) { return vector(box.size); },
+                            [](const Cylinder& cylinder) {
+                              return fmt::format("{} {}", number(cylinder.radius), number(cylinder.length));
+                            },
+                            [](const Sphere& sphere) { return number(sphere.radius); }},
+                 shape);
+  return fmt::format("shape {} {}\n", kind_name(shape), numbers);
+}
+
+std::string canonical(const Patch& patch) {
+  if (!patch.disc) return "face " + patch.face;
+  return fmt::format("face {} disc {} {}", patch.face, vector(patch.disc->centre), number(patch.disc->radius));
+}
+
+std::string shaped(const char* kind, double amplitude, double start, const std::vector<double>& others) {
+  std::string out = fmt::format("{} amplitude {} start {}", kind, number(amplitude), number(start));
+  for (double x : others) out += fmt::format(" {}", number(x));
+  return out;
+}
+
+std::string canonical(const History& history) {
+  return std::visit(
+      overloaded{[](const Step& h) { return shaped("step", h.amplitude, h.start, {}); },
+                 [](const Pulse& h) { return shaped("pulse", h.amplitude, h.start, {h.duration}); },
+                 [](const Ramp& h) { return shaped("ramp", h.amplitude, h.start, {h.duration}); },
+                 [](const Harmonic& h) {
+                   return shaped("harmonic", h.amplitude, h.start, {h.omega, h.phase});
+                 },
+                 [](const Chirp& h) {
+                   return shaped("chirp", h.amplitude, h.start, {h.omega0, h.omega1, h.duration});
+                 },
+                 [](const Table& h) { return fmt::format("table t {} s {}", list(h.t), list(h.s)); },
+                 [](const Expression& h) { return fmt::format("expression {}:{}", h.formula.size(), h.formula); }},
+      history);
+}
+
+std::string canonical(const Body& body) {
+  static constexpr const char* kinds[] = {"fixed", "sliding", "mean"};
+  std::string out = fmt::format("body {}\n{}", body.name, canonical(body.shape));
+  out += fmt::format("material {} {} {}\n", number(body.material.youngs_modulus), number(body.material.poissons_ratio),
+                     number(body.material.density));
+  out += fmt::format("damping {} {}\n", number(body.damping.alpha), number(body.damping.beta));
+  out += fmt::format("resolution {}\n", to_string(body.resolution));
+  for (const Support& support : body.supports) {
+    out += fmt::format("support {} {}\n", kinds[static_cast<int>(support.kind)], canonical(support.patch));
+  }
+  return out;
+}
+
+std::string canonical(const Load& load) {
+  std::string out = fmt::format("load {}\nhistory {}\n", load.name, canonical(load.history));
+  for (const Traction& traction : load.tractions) {
+    out += fmt::format("traction {} {} {}\n", traction.body, canonical(traction.patch), vector(traction.traction));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string canonical(const Scene& scene) {
+  std::string out = "scene 1\n";
+  for (const Body& body : scene.bodies) out += canonical(body);
+  for (const Load& load : scene.loads) out += canonical(load);
+  for (const Probe& probe : scene.probes) {
+    out += fmt::format("probe {} {} {} {}\n", probe.name, probe.body, vector(probe.point), vector(probe.direction));
+  }
+  out += fmt::format("duration {}\nframe_rate {}\nsamples_per_second {}\n", number(scene.duration),
+                     number(scene.frame_rate), number(scene.samples_per_second));
+  out += fmt::format("truth {} finer {} coarser {}\n", number(scene.truth.relative_tolerance),
+                     to_string(scene.truth.finer), to_string(scene.truth.coarser));
+  return out;
+}
+
+}  // namespace mb

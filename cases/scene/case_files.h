@@ -1,0 +1,69 @@
+// What tests of case files share: the words that the harness's catalogues supply, files of the source tree, and text
+// read as a case.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "cases/scene/read_scene.h"
+
+namespace mb::test {
+
+inline Vocabulary vocabulary() {
+  return {
+      {"eigenmodes", "static-correction", "full-order"},
+      {"exact", "newmark", "sundials"},
+      {"displacement-error", "strain-error", "surface-deviation", "pose-translation", "pose-rotation", "probe-error"}};
+}
+
+inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }
+
+inline std::string content(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+inline std::string cylinder_text() { return content(cases_folder() / "cylinder-compression.toml"); }
+
+// The text with one passage replaced; throws where it does not stand there exactly once, so that no test is void.
+inline std::string with(std::string text, const std::string& passage, const std::string& replacement) {
+  const std::size_t at = text.find(passage);
+  if (at == std::string::npos || text.find(passage, at + 1) != std::string::npos) {
+    throw std::logic_error("not exactly once in the text: " + passage);
+  }
+  return text.replace(at, passage.size(), replacement);
+}
+
+inline Scene read(const std::string& text, const std::string& profile = "quick") {
+  return read_scene(text, "test.toml", cases_folder(), vocabulary(), profile);
+}
+
+// All messages, or nothing where the text reads. The file's folder is left out of them.
+inline std::string problems(const std::filesystem::path& file) {
+  try {
+    read_toml(file, vocabulary());
+    return "";
+  } catch (const CaseErrors& errors) {
+    std::string all;
+    for (Diagnostic diagnostic : errors.diagnostics()) {
+      diagnostic.file = file.filename().string();
+      all += to_string(diagnostic);
+    }
+    return all;
+  }
+}
+
+inline std::string problems_of_text(const std::string& text) {
+  try {
+    read(text);
+    return "";
+  } catch (const CaseErrors& errors) {
+    return errors.what();
+  }
+}
+
+}  // namespace mb::test

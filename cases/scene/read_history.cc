@@ -1,0 +1,138 @@
+#include "cases/scene/read_history.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/scene/table_file.h"
+
+namespace mb {
+
+namespace {
+
+const Range amplitude_range{-1e6, 1e6};
+const Range time_range{0, 1e5, "s"};
+const Range length_range{0, 1e5, "s", true};
+const Range phase_range{-1e3, 1e3, "rad"};
+const Range omega_range{0, 1e9, "rad/s", true};
+const Range sweep_range{0, 1e9, "rad/s"};
+constexpr std::size_t most_entries = 10000;
+
+struct Common {
+  double amplitude, start;
+};
+
+Common read_common(Section& section, const HistoryContext& context) {
+  const Common common{section.number("amplitude", amplitude_range, 1), section.number("start", time_range, 0)};
+  if (common.start >= context.longest_duration) {
+    section.error("start", fmt::format("the load starts at {} s, but the case ends at {} s", common.start,
+                                       context.longest_duration));
+  }
+  return common;
+}
+
+std::optional<History> read_harmonic(Section& section, const Common& common) {
+  const auto omega = section.number("omega", omega_range);
+  const double phase = section.number("phase", phase_range, 0);
+  if (!omega) return std::nullopt;
+  return Harmonic{*omega, phase, common.amplitude, common.start};
+}
+
+std::optional<History> read_chirp(Section& section, const Common& common) {
+  const auto omega0 = section.number("omega0", sweep_range);
+  const auto omega1 = section.number("omega1", sweep_range);
+  const auto duration = section.number("duration", length_range);
+  if (!omega0 || !omega1 || !duration) return std::nullopt;
+  return Chirp{*omega0, *omega1, *duration, common.amplitude, common.start};
+}
+
+template <class Shaped>
+std::optional<History> read_shaped(Section& section, const Common& common) {
+  const auto duration = section.number("duration", length_range);
+  if (!duration) return std::nullopt;
+  return Shaped{*duration, common.amplitude, common.start};
+}
+
+std::optional<Table> inline_table(Section& section) {
+  const auto t = section.numbers("t", time_range, {2, most_entries});
+  const auto s = section.numbers("s", amplitude_range, {2, most_entries});
+  if (!t || !s) return std::nullopt;
+  if (t->size() == s->size()) return Table{*t, *s};
+  section.error("s", fmt::format("'s' has {} entries where 't' has {}", s->size(), t->size()));
+  return std::nullopt;
+}
+
+std::optional<Table> table_of_file(Section& section, const HistoryContext& context) {
+  const auto file = section.text("file", 255);
+  for (const char* key : {"t", "s"}) {
+    if (section.has(key))
+      section.error(key, fmt::format("a table has either 'file' or 't' and 's', not '{}' as well", key));
+  }
+  if (!file) return std::nullopt;
+  auto read = read_table_file(context.folder, *file, most_entries);
+  if (read.problem.empty()) return read.table;
+  section.error("file", read.problem);
+  return std::nullopt;
+}
+
+std::optional<History> read_table(Section& section, const HistoryContext& context) {
+  const bool from_file = section.has("file");
+  const auto table = from_file ? table_of_file(section, context) : inline_table(section);
+  if (!table) return std::nullopt;
+  const std::string key = from_file ? "file" : "t";
+  for (std::size_t i = 1; i < table->t.size(); ++i) {
+    if (table->t[i] > table->t[i - 1]) continue;
+    section.error(
+        key, fmt::format("times must ascend: t = {} s at entry {} follows {} s", table->t[i], i + 1, table->t[i - 1]));
+    return std::nullopt;
+  }
+  const auto outside = [](double x, const Range& range) { return !range.contains(x); };
+  if (std::any_of(table->t.begin(), table->t.end(), [&](double t) { return outside(t, time_range); }) ||
+      std::any_of(table->s.begin(), table->s.end(), [&](double s) { return outside(s, amplitude_range); })) {
+    section.error(key,
+                  fmt::format("the table leaves t in {}, s in {}", to_string(time_range), to_string(amplitude_range)));
+    return std::nullopt;
+  }
+  if (table->t.front() < context.longest_duration) return *table;
+  section.error(key, fmt::format("the load starts at {} s, but the case ends at {} s", table->t.front(),
+                                 context.longest_duration));
+  return std::nullopt;
+}
+
+std::optional<History> read_expression(Section& section, const HistoryContext& context) {
+  const auto formula = section.text("formula", 256);
+  if (!formula) return std::nullopt;
+  const std::string problem = expression_problem(*formula, context.longest_duration);
+  if (problem.empty()) return Expression{*formula};
+  section.error("formula", printable(problem, 200));
+  return std::nullopt;
+}
+
+std::optional<History> read_kind(const std::string& kind, Section& section, const HistoryContext& context) {
+  if (kind == "table") return read_table(section, context);
+  if (kind == "expression") return read_expression(section, context);
+  const Common common = read_common(section, context);
+  if (kind == "step") return Step{common.amplitude, common.start};
+  if (kind == "pulse") return read_shaped<Pulse>(section, common);
+  if (kind == "ramp") return read_shaped<Ramp>(section, common);
+  if (kind == "harmonic") return read_harmonic(section, common);
+  return read_chirp(section, common);
+}
+
+}  // namespace
+
+std::optional<History> read_history(Section section, const HistoryContext& context) {
+  const Words words{
+      {"step", "pulse", "ramp", "harmonic", "chirp", "table", "expression"}, "history kind", "history kinds"};
+  const auto kind = section.choice("kind", words);
+  if (!kind) {
+    section.finish(false);
+    return std::nullopt;
+  }
+  const auto history = read_kind(*kind, section, context);
+  section.finish();
+  return history;
+}
+
+}  // namespace mb

@@ -1,0 +1,19 @@
+// `history = { kind = "pulse", ... }`, tables from a file of two columns included.
+#pragma once
+
+#include <filesystem>
+
+#include "cases/scene/section.h"
+#include "mechanics/history/history.h"
+
+namespace mb {
+
+// What the files that a case refers to, and the times at which it ends, depend on.
+struct HistoryContext {
+  std::filesystem::path folder;  // of the case file: a table's file must lie below it
+  double longest_duration;       // [s] of all profiles
+};
+
+std::optional<History> read_history(Section section, const HistoryContext& context);
+
+}  // namespace mb

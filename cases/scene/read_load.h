@@ -1,0 +1,13 @@
+// [[load]] with its history and tractions, and [[probe]].
+#pragma once
+
+#include "cases/scene/read_body.h"
+#include "cases/scene/read_history.h"
+
+namespace mb {
+
+// References to bodies are resolved among drafts: a body with a problem of its own is still known by its name.
+std::optional<Load> read_load(Section section, const std::vector<BodyDraft>& bodies, const HistoryContext& context);
+std::optional<Probe> read_probe(Section section, const std::vector<BodyDraft>& bodies);
+
+}  // namespace mb

@@ -1,0 +1,73 @@
+#include "cases/scene/read_time.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mb {
+
+namespace {
+
+const Range duration_range{0, 1e5, "s", true};
+const Range rate_range{0, 1e9, "1/s", true};
+
+// Records where a rate asks for more samples than memory holds, or for none but the first.
+void check_samples(Section& section, const std::string& key, double rate, const Times& times) {
+  const double n = rate * times.longest();
+  if (n > most_samples) {
+    section.error(key, fmt::format("'{}' = {} makes {:.3g} samples in {} s: at most {:.0f}", key, rate, n,
+                                   times.longest(), most_samples));
+  }
+  if (rate * times.shortest() < 1) {
+    section.error(key, fmt::format("'{}' = {} makes no sample after the first in {} s", key, rate, times.shortest()));
+  }
+}
+
+void read_profiles(Section& root, Times& times) {
+  auto section = root.section("profile", true);
+  if (!section) return;
+  for (const char* name : {"standard", "full"}) {
+    auto profile = section->section(name, true);
+    if (!profile) continue;
+    times.duration[name] = profile->number("duration", duration_range).value_or(times.duration["quick"]);
+    profile->finish();
+  }
+  section->finish();
+}
+
+}  // namespace
+
+double Times::shortest() const {
+  const auto by_value = [](const auto& a, const auto& b) { return a.second < b.second; };
+  return std::min_element(duration.begin(), duration.end(), by_value)->second;
+}
+
+double Times::longest() const {
+  const auto by_value = [](const auto& a, const auto& b) { return a.second < b.second; };
+  return std::max_element(duration.begin(), duration.end(), by_value)->second;
+}
+
+const std::vector<std::string>& profile_names() {
+  static const std::vector<std::string> names{"quick", "standard", "full"};
+  return names;
+}
+
+Times read_times(Section& root) {
+  Times times;
+  auto section = root.section("time");
+  const auto duration = section ? section->number("duration", duration_range) : std::nullopt;
+  for (const std::string& name : profile_names()) times.duration[name] = duration.value_or(1);
+  read_profiles(root, times);
+  if (!section) return times;
+  const auto frame_rate = section->number("frame_rate", rate_range);
+  const auto samples = section->number("samples_per_second", rate_range);
+  section->finish();
+  if (!duration) return times;
+  if (frame_rate) check_samples(*section, "frame_rate", *frame_rate, times);
+  if (samples) check_samples(*section, "samples_per_second", *samples, times);
+  times.frame_rate = frame_rate.value_or(1);
+  times.samples_per_second = samples.value_or(1);
+  return times;
+}
+
+}  // namespace mb

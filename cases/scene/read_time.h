@@ -1,0 +1,24 @@
+// [time] and [profile.NAME]: how long, how often looked at. The top of the case is the quick profile; `standard` and
+// `full` may last longer.
+#pragma once
+
+#include <map>
+
+#include "cases/scene/section.h"
+
+namespace mb {
+
+struct Times {
+  std::map<std::string, double> duration;  // [s] of quick, standard, full; stand-ins of 1 s where they were wrong
+  double frame_rate = 1, samples_per_second = 1;  // [1/s]
+  double shortest() const;                        // [s]
+  double longest() const;                         // [s]
+};
+
+inline constexpr double most_samples = 1e5;  // times at which trajectories are compared: what memory holds
+
+Times read_times(Section& root);
+
+const std::vector<std::string>& profile_names();  // quick, standard, full
+
+}  // namespace mb

@@ -1,0 +1,46 @@
+// Case files: TOML in, Scene out, or every problem at once.
+//
+// Unknown keys are errors, and so are keys that are understood but cannot be simulated yet. Case files are untrusted:
+// names match [a-z0-9-]{1,64}, paths stay below the file's folder, expressions may not assign.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cases/scene/scene.h"
+
+namespace mb {
+
+struct Diagnostic {
+  std::string file;
+  int line = 0, column = 0, length = 1;  // 1-based; line 0: the file as a whole
+  std::string message;                   // one sentence with the value, its range and unit
+  std::string excerpt;                   // the line of the case file, control characters replaced
+  std::string help;                      // "did you mean 'youngs_modulus'?", or empty
+};
+// bad.toml:3:1: error: unknown key 'youngs_modulos' in [body.material]  + excerpt with carets + help
+std::string to_string(const Diagnostic& diagnostic);
+
+class CaseErrors : public std::runtime_error {
+ public:
+  explicit CaseErrors(std::vector<Diagnostic> found);
+  const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }  // sorted by line, column
+
+ private:
+  std::vector<Diagnostic> diagnostics_;
+};
+
+// Names that a case may use; the catalogues of the harness supply them.
+struct Vocabulary {
+  std::vector<std::string> methods, integrators, metrics;
+};
+
+// profile: "quick", "standard" or "full". Throws CaseErrors.
+Scene read_toml(const std::filesystem::path& file, const Vocabulary& vocabulary, const std::string& profile = "quick");
+
+// What determines a run, as canonical text (no prose, no checks): the content that hashes name.
+std::string canonical(const Scene& scene);
+
+}  // namespace mb

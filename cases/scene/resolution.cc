@@ -1,0 +1,67 @@
+#include "cases/scene/resolution.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "mechanics/geometry/overloaded.h"
+
+namespace mb {
+
+const char* kind_name(const Shape& shape) {
+  static constexpr const char* names[] = {"box", "cylinder", "sphere"};
+  return names[shape.index()];
+}
+
+std::size_t n_cell_entries(const Shape& shape) { return 3 - shape.index(); }
+
+double n_dofs(const Shape& shape, const Resolution& resolution) {
+  const auto nodes = [&](std::size_t i) { return static_cast<double>(resolution.degree * resolution.cells[i]); };
+  return 3 * std::visit(overloaded{[&](const Box&) { return (nodes(0) + 1) * (nodes(1) + 1) * (nodes(2) + 1); },
+                                   [&](const Cylinder&) {
+                                     const double m = nodes(0);
+                                     return ((m + 1) * (m + 1) + 4 * m * m) * (nodes(1) + 1);
+                                   },
+                                   [&](const Sphere&) {
+                                     const double m = nodes(0);
+                                     return (m + 1) * (m + 1) * (m + 1) + m * (6 * m * m + 2);
+                                   }},
+                        shape);
+}
+
+bool check_mesh(const Shape& shape, const Resolution& resolution, const Position& where, Findings& findings) {
+  const std::size_t n = n_cell_entries(shape);
+  if (resolution.cells.size() != n) {
+    const char* const means[] = {"along x, y, z", "edge splits of the disc, layers along z",
+                                 "edge splits of its blocks"};
+    findings.error(
+        where, fmt::format("'cells' of a {} has {} entries: must be {}", kind_name(shape), resolution.cells.size(), n),
+        fmt::format("cells of a {}: {}", kind_name(shape), means[shape.index()]));
+    return false;
+  }
+  const auto splits = static_cast<unsigned>(resolution.cells[0]);
+  if (!std::holds_alternative<Box>(shape) && !std::has_single_bit(splits)) {
+    findings.error(where, fmt::format("a {} has its blocks halved again and again: {} edge splits are no power of two",
+                                      kind_name(shape), splits));
+    return false;
+  }
+  const double n_unknowns = n_dofs(shape, resolution);
+  if (n_unknowns <= most_dofs) return true;
+  findings.error(where, fmt::format("{} of a {} has {:.0f} degrees of freedom: at most {:.0f}", to_string(resolution),
+                                    kind_name(shape), n_unknowns, most_dofs));
+  return false;
+}
+
+std::optional<Resolution> read_resolution(Section section, const std::optional<Shape>& shape) {
+  const auto degree = section.integer("degree", degree_range);
+  const Count entries = shape ? Count{n_cell_entries(*shape), n_cell_entries(*shape)} : Count{1, 3};
+  const auto cells = section.integers("cells", cells_range, entries);
+  section.finish();
+  if (!degree || !cells) return std::nullopt;
+  Resolution resolution{*degree, {}};
+  for (const auto& entry : *cells) resolution.cells.push_back(entry.value);
+  if (shape && !check_mesh(*shape, resolution, section.where("cells"), section.findings())) return std::nullopt;
+  return resolution;
+}
+
+}  // namespace mb

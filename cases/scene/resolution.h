@@ -1,0 +1,27 @@
+// The size of a mesh before it is made. With m = degree * splits, a layer of the cylinder's disc (one square, four
+// blocks around it) has (m + 1)^2 + 4 m^2 nodes; the ball (one cube, six blocks around it) has
+// (m + 1)^3 + m (6 m^2 + 2), shells of the cube's surface nodes.
+#pragma once
+
+#include "cases/scene/scene.h"
+#include "cases/scene/section.h"
+
+namespace mb {
+
+double n_dofs(const Shape& shape, const Resolution& resolution);  // before supports
+std::size_t n_cell_entries(const Shape& shape);                   // 3, 2, 1 for box, cylinder, sphere
+const char* kind_name(const Shape& shape);                        // "box", "cylinder", "sphere"
+
+inline constexpr double most_dofs = 2e6;  // [-] assembled K and M of more do not fit one machine
+
+inline const Range degree_range{1, 4};
+inline const Range cells_range{1, 256};
+
+// Whether such a mesh can be made: number of entries, powers of two, number of degrees of freedom. Records what is
+// wrong.
+bool check_mesh(const Shape& shape, const Resolution& resolution, const Position& where, Findings& findings);
+
+// A table with `degree` and `cells`. The shape is nothing where it was wrong: then only ranges are checked.
+std::optional<Resolution> read_resolution(Section section, const std::optional<Shape>& shape);
+
+}  // namespace mb

@@ -1,0 +1,33 @@
+#include "cases/scene/scene.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb {
+
+namespace {
+
+// i / rate for i = 0, 1, ...; a last time that misses the duration by rounding alone is the duration.
+VectorXd times_at(double rate, double duration) {
+  const auto n = static_cast<Index>(std::floor(duration * rate * (1 + 1e-12)));
+  VectorXd t(n + 1);
+  for (Index i = 0; i <= n; ++i) t[i] = std::min(static_cast<double>(i) / rate, duration);
+  return t;
+}
+
+}  // namespace
+
+bool operator==(const Resolution& a, const Resolution& b) { return a.degree == b.degree && a.cells == b.cells; }
+
+std::string to_string(const Resolution& resolution) {
+  return fmt::format("Q{} {}", resolution.degree, fmt::join(resolution.cells, "x"));
+}
+
+VectorXd frame_times(const Scene& scene) { return times_at(scene.frame_rate, scene.duration); }
+
+VectorXd sample_times(const Scene& scene) { return times_at(scene.samples_per_second, scene.duration); }
+
+}  // namespace mb

@@ -1,0 +1,44 @@
+# Third-party libraries, each as one target with SYSTEM includes. Versions: those of Debian 12, the oldest tested.
+# Installed beside the package file too, which includes it again: a static library's users link what it links.
+# What ships no package file becomes an imported target, which an export names and does not copy.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt 9 REQUIRED)
+find_package(Threads REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET GLOBAL tomlplusplus)
+pkg_check_modules(muparser REQUIRED IMPORTED_TARGET GLOBAL muparser)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET GLOBAL libxxhash)
+
+# mb_find_library(NAME HEADER LIBRARIES... [SUFFIXES ...] [PATHS ...]): target mb_NAME of a library without package
+# file. PATHS: where alone its header may be.
+function(mb_find_library name header)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES;SUFFIXES;PATHS" ${ARGN})
+  if(ARG_PATHS)
+    find_path(MODALBENCH_${name}_INCLUDE ${header} PATHS ${ARG_PATHS} NO_DEFAULT_PATH REQUIRED)
+  else()
+    find_path(MODALBENCH_${name}_INCLUDE ${header} PATH_SUFFIXES ${ARG_SUFFIXES} REQUIRED)
+  endif()
+  add_library(mb_${name} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(mb_${name} SYSTEM INTERFACE ${MODALBENCH_${name}_INCLUDE})
+  foreach(library IN LISTS ARG_LIBRARIES)
+    find_library(MODALBENCH_${name}_${library} ${library} REQUIRED)
+    target_link_libraries(mb_${name} INTERFACE ${MODALBENCH_${name}_${library}})
+  endforeach()
+endfunction()
+mb_find_library(cholmod cholmod.h LIBRARIES cholmod openblas SUFFIXES suitesparse)
+mb_find_library(arpack arpack/arpack.hpp LIBRARIES arpack)
+mb_find_library(sundials arkode/arkode_arkstep.h LIBRARIES sundials_arkode sundials_nvecserial)
+# The serial HDF5: deal.II brings the MPI one, whose headers the door of ours must never see.
+mb_find_library(hdf5 hdf5.h LIBRARIES hdf5_serial PATHS /usr/include/hdf5/serial)
+
+# deal.II: the target of its installation, not deal_ii_setup_target, which puts its own flags behind ours.
+find_package(deal.II 9.4 REQUIRED)
+include(${DEAL_II_TARGET_CONFIG})
+add_library(mb_dealii INTERFACE IMPORTED GLOBAL)
+target_link_libraries(mb_dealii INTERFACE ${DEAL_II_TARGET_RELEASE})
+set(dealii_includes ${DEAL_II_INCLUDE_DIRS})   # its target carries none
+list(REMOVE_ITEM dealii_includes /usr/include)
+target_include_directories(mb_dealii SYSTEM INTERFACE ${dealii_includes})

@@ -1,0 +1,77 @@
+# mb_library(NAME LINK... [PRIVATE_LINK ...])  library mb_NAME of every source of the current folder that is no test.
+# mb_tests(NAME [LINK ...])                     one GoogleTest binary of every *_test.cc of the current folder.
+
+set(MODALBENCH_SANITIZE "" CACHE STRING "Sanitizers to compile with: address, undefined (comma-separated)")
+option(MODALBENCH_NATIVE "Compile for this machine's processor (-march=native)" OFF)
+
+add_library(mb_options INTERFACE)
+target_include_directories(mb_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/modalbench>)
+target_compile_features(mb_options INTERFACE cxx_std_20)
+if(MODALBENCH_NATIVE)   # public: Eigen's alignment, hence the layout of its types, follows from the instruction set
+  target_compile_options(mb_options INTERFACE -march=native)
+endif()
+
+# Warnings are for our own code: never exported, third-party headers are SYSTEM.
+add_library(mb_warnings INTERFACE)
+target_compile_options(mb_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Wno-sign-conversion -Werror
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-restrict>)   # false in g++ 12's AVX-512 intrinsics and under sanitizers
+if(MODALBENCH_SANITIZE)
+  target_compile_options(mb_warnings INTERFACE -fsanitize=${MODALBENCH_SANITIZE} -fno-omit-frame-pointer
+    -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${MODALBENCH_SANITIZE})
+endif()
+
+find_program(MODALBENCH_LLD ld.lld)
+if(MODALBENCH_LLD)      # GNU ld takes 10 s an executable with deal.II's libraries, lld 0.4 s
+  add_link_options(-fuse-ld=lld)
+endif()
+find_program(MODALBENCH_CCACHE ccache)
+if(MODALBENCH_CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER ${MODALBENCH_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${MODALBENCH_CCACHE})
+endif()
+
+function(mb_library name)
+  cmake_parse_arguments(ARG "" "" "LINK;PRIVATE_LINK" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cc)
+  list(FILTER sources EXCLUDE REGEX "_(test|bench|main|fuzz)\\.cc$")
+  add_library(mb_${name} STATIC ${sources})
+  set_target_properties(mb_${name} PROPERTIES EXPORT_NAME ${name})
+  target_link_libraries(mb_${name} PUBLIC mb_options ${ARG_LINK})
+  foreach(library IN LISTS ARG_PRIVATE_LINK)
+    target_link_libraries(mb_${name} PRIVATE ${library})
+  endforeach()
+  target_link_libraries(mb_${name} PRIVATE $<BUILD_INTERFACE:mb_warnings>)
+endfunction()
+
+if(BUILD_TESTING)
+  find_package(GTest 1.12 REQUIRED)
+  include(GoogleTest)
+  add_custom_target(unit_tests)   # every test binary
+endif()
+
+# Tests are found by gtest_discover_tests; a test suite whose name ends in "Verification" carries the label
+# `verification` (an independent target), "Cases" the label `cases` (runs the program), all others `unit`.
+function(mb_tests name)
+  if(NOT BUILD_TESTING)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cc)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name}_test ${sources})
+  target_link_libraries(${name}_test PRIVATE mb_${name} mb_warnings ${ARG_LINK} GTest::gmock GTest::gtest_main)
+  add_dependencies(unit_tests ${name}_test)
+  target_compile_definitions(${name}_test PRIVATE MB_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  set(common NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name}_test TEST_FILTER *Verification.* TEST_LIST ${name}_verification ${common}
+    PROPERTIES LABELS verification TIMEOUT 300)
+  gtest_discover_tests(${name}_test TEST_FILTER *Cases.* TEST_LIST ${name}_cases ${common}
+    PROPERTIES LABELS cases TIMEOUT 600)
+  gtest_discover_tests(${name}_test TEST_FILTER -*Verification.*:*Cases.* TEST_LIST ${name}_unit ${common}
+    PROPERTIES LABELS unit TIMEOUT 120)
+endfunction()

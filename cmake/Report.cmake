@@ -1,0 +1,15 @@
+# Targets for any build folder: `make report` runs the cases and writes the report as ./run report does, into the
+# source folder's results/ and report/; `make check` runs every test that needs no browser.
+add_custom_target(report
+  COMMAND ${PROJECT_SOURCE_DIR}/cmake/write-report $<TARGET_FILE:modalbench>
+  WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+  DEPENDS modalbench
+  USES_TERMINAL VERBATIM)
+
+if(BUILD_TESTING)
+  add_custom_target(check
+    COMMAND ${CMAKE_CTEST_COMMAND} --output-on-failure -j2 -L "^(unit|layering|verification|cases)$"
+    WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
+    USES_TERMINAL VERBATIM)
+  add_dependencies(check unit_tests layering modalbench)
+endif()

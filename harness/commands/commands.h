@@ -1,0 +1,34 @@
+// What `modalbench` can be asked. Each command takes its options as values, writes results to `out` and everything else
+// to `err`, and returns the exit code (harness/main.h).
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "harness/catalogue.h"
+
+namespace mb {
+
+struct Console { std::ostream &out, &err; };
+
+struct ListOptions { std::string pattern; /* part of the name; empty: all */ };
+struct CheckOptions { std::vector<std::string> files; std::string profile = "quick"; };
+struct ModesOptions { std::string case_name, body; int count = 30; bool json = false; };
+struct RunCommandOptions {
+  std::vector<std::string> cases;  // names or files; empty: every case of the catalogue
+  std::string profile = "quick", store = "results";
+  bool again = false, plan = false;
+  std::function<bool()> interrupted;
+};
+struct ReportOptions { std::string directory = "report", store = "results"; };
+
+int list_command(const ListOptions&, const Catalogue&, const Console&);
+int check_command(const CheckOptions&, const Catalogue&, const Console&);
+int modes_command(const ModesOptions&, const Catalogue&, const Console&);
+int run_command(const RunCommandOptions&, const Catalogue&, const Console&);
+int report_command(const ReportOptions&, const Catalogue&, const Console&);
+
+}  // namespace mb

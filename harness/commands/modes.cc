@@ -1,0 +1,64 @@
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cases/json/json.h"
+#include "cases/scene/nearest.h"
+#include "harness/commands/commands.h"
+#include "harness/commands/find_cases.h"
+#include "modal/bases/eigenmodes.h"
+#include "reference/full_model.h"
+
+namespace mb {
+
+namespace {
+
+const Body& find_body(const Scene& scene, const std::string& name) {
+  if (name.empty()) return scene.bodies.front();
+  std::vector<std::string> names;
+  for (const Body& body : scene.bodies) {
+    if (body.name == name) return body;
+    names.push_back(body.name);
+  }
+  throw std::invalid_argument("unknown body '" + name + "'; " + suggestion(name, names, "bodies"));
+}
+
+void print_table(const Modes& modes, Index count, std::ostream& out) {
+  fmt::print(out, "{:>5}  {:>14}  {:>14}  {:>9}  kind\n", "mode", "omega [rad/s]", "f [Hz]", "residual");
+  for (Index i = 0; i < count; ++i)
+    fmt::print(out, "{:>5}  {:>14.7g}  {:>14.7g}  {:>9.1e}  {}\n", i + 1, modes.omega[i], modes.omega[i] / (2 * pi),
+               modes.residual[i], i < modes.n_rigid ? "rigid" : "elastic");
+}
+
+void print_json(const Scene& scene, const Body& body, Index n_dofs, const Modes& modes, Index count, std::ostream& out) {
+  Json list = Json::array();
+  for (Index i = 0; i < count; ++i)
+    list.push_back({{"omega", modes.omega[i]},
+                    {"hertz", modes.omega[i] / (2 * pi)},
+                    {"residual", modes.residual[i]},
+                    {"kind", i < modes.n_rigid ? "rigid" : "elastic"}});
+  fmt::print(out, "{}\n", to_line({{"case", scene.name}, {"body", body.name}, {"n_dofs", n_dofs}, {"modes", list}}));
+}
+
+}  // namespace
+
+int modes_command(const ModesOptions& options, const Catalogue& catalogue, const Console& console) {
+  const Scene scene = read_toml(find_case(options.case_name), catalogue.vocabulary());
+  const Body& body = find_body(scene, options.body);
+  const auto full = full_model(scene, body, body.resolution);
+  const System& system = full->system();
+  const Index n = system.u0.size(), n_rigid = system.R.cols();
+  if (options.count > n)
+    throw std::invalid_argument(fmt::format("--count {}: the body has {} degrees of freedom", options.count, n));
+  const int n_elastic = static_cast<int>(std::max<Index>(0, options.count - n_rigid));
+  const Modes modes = lowest_modes(system, n_elastic, default_shift(system));
+  const Index count = std::min<Index>(options.count, modes.size());
+  if (options.json)
+    print_json(scene, body, n, modes, count, console.out);
+  else
+    print_table(modes, count, console.out);
+  return 0;
+}
+
+}  // namespace mb

@@ -1,0 +1,50 @@
+// The marks: one number each, of an answer against a truth, at the scene's evaluation points and common times.
+//
+//   M norm  |u|_M^2 = sum_i w_i rho |u_i|^2        K norm  |eps|_K^2 = sum_i w_i eps_i^T D eps_i
+//
+// Bodies that move freely are compared in two parts, pose and deformation, each answer in its own rigid frame (pose.h):
+// otherwise the rigid motion swamps what is of interest. Truths that vanish leave relative errors undefined: NaN.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/contract/method.h"
+#include "cases/contract/model.h"
+
+namespace mb {
+
+// What a metric needs to know besides the answers. All that is referred to must outlive this.
+struct MetricContext {
+  const Scene& scene;
+  Index body;                      // in [0, bodies of the scene)
+  const EvaluationPoints& points;  // of this body
+  bool free;                       // whether its supports leave a rigid motion, to be taken out
+  Index probe = -1;                // in [0, probes of the scene): a probe on this body, for metrics of probes
+};
+
+struct Metric {
+  std::string name, unit, doc;
+  bool per_probe;       // asks for context.probe
+  bool free_only;       // NaN, hence "undefined", for bodies that are not free
+  bool of_truth_alone;  // a property of the truth: the answer is not looked at
+  double (*value)(const Trajectory& answer, const Trajectory& truth, const MetricContext& context);
+};
+
+// The visible list. Values are >= 0 but for probe-magnitude, which is signed.
+const std::vector<Metric>& metric_catalogue();
+const Metric& metric(const std::string& name);  // throws std::out_of_range naming it
+
+struct Mark {
+  double value;        // NaN under any status but "ok"
+  std::string status;  // "ok"; the answer's own where it failed; "not_finite"; "failed: ..." where the truth is not
+                       // usable; "undefined: ..." where the metric has no value for finite answers (0/0)
+};
+// Throws std::invalid_argument where times differ by more than 1e-9 of the sampling step, where points or bodies do not
+// match, or where the context names no body or probe of the scene.
+Mark mark(const Metric& metric, const Trajectory& answer, const Trajectory& truth, const MetricContext& context);
+
+// How far two truths are apart in the eyes of a metric, >= 0: what error bars are summed from. NaN where undefined.
+double distance(const Metric& metric, const Trajectory& a, const Trajectory& b, const MetricContext& context);
+
+}  // namespace mb

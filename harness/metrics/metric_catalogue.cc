@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "harness/metrics/metric.h"
+#include "harness/metrics/motion.h"
+#include "harness/metrics/signal.h"
+#include "harness/metrics/spectrum.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+const Body& body(const MetricContext& context) { return context.scene.bodies[static_cast<std::size_t>(context.body)]; }
+
+double ratio(double error, double size) { return size > 0 ? error / size : nan; }
+
+// sum_t tau sum_i w_i |d_i|^2 of 3 p x n_t values; w [m^3]. The constant density cancels in every ratio.
+double squared_norm(const MatrixXd& d, const VectorXd& w, const VectorXd& tau) {
+  const VectorXd w3 = w.replicate(1, 3).transpose().reshaped();
+  return w3.transpose() * d.cwiseAbs2() * tau;
+}
+
+double displacement_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  const MatrixXd d = motion(answer, context).volume, d_true = motion(truth, context).volume;
+  const VectorXd tau = trapezoid_weights(truth.t);
+  const VectorXd& w = context.points.volume.weights;
+  return std::sqrt(ratio(squared_norm(d - d_true, w, tau), squared_norm(d_true, w, tau)));
+}
+
+double squared_energy_norm(const MatrixXd& strain, const Matrix6d& D, const VectorXd& w, const VectorXd& tau) {
+  double sum = 0;
+  for (Index k = 0; k < strain.cols(); ++k) {
+    const auto eps = strain.col(k).reshaped(6, w.size());
+    sum += tau(k) * (eps.cwiseProduct(D * eps) * w).sum();
+  }
+  return sum;
+}
+
+double strain_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  const MatrixXd& eps = answer.bodies[static_cast<std::size_t>(context.body)].strain;
+  const MatrixXd& eps_true = truth.bodies[static_cast<std::size_t>(context.body)].strain;
+  if (eps.cols() == 0 || eps_true.cols() == 0) return nan;
+  const Matrix6d D = elasticity_matrix(body(context).material);
+  const VectorXd tau = trapezoid_weights(truth.t);
+  const VectorXd& w = context.points.volume.weights;
+  return std::sqrt(ratio(squared_energy_norm(eps - eps_true, D, w, tau), squared_energy_norm(eps_true, D, w, tau)));
+}
+
+double surface_deviation(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  const MatrixXd gap = motion(answer, context).surface - motion(truth, context).surface;
+  if (gap.size() == 0) return nan;
+  return gap.reshaped(3, gap.size() / 3).colwise().norm().maxCoeff() / extent(body(context).shape);
+}
+
+double pose_translation(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  const auto frames = motion(answer, context).frames, frames_true = motion(truth, context).frames;
+  double largest = 0;
+  for (std::size_t k = 0; k < frames.size(); ++k) largest = std::max(largest, (frames[k].c - frames_true[k].c).norm());
+  return largest;
+}
+
+double pose_rotation(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  const auto frames = motion(answer, context).frames, frames_true = motion(truth, context).frames;
+  double largest = 0;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    largest = std::max(largest, angle_between(frames[k].R, frames_true[k].R));
+  }
+  return largest;
+}
+
+// u(point) . direction [m] over time, rigid motion included.
+VectorXd probe_signal(const Trajectory& trajectory, const MetricContext& context) {
+  const auto& probes = context.scene.probes;
+  const auto probe = probes.begin() + context.probe;
+  const Index before = std::count_if(probes.begin(), probe, [&](const Probe& p) { return p.body == probe->body; });
+  const Index point = context.points.volume.points.cols() + context.points.surface.points.cols() + before;
+  const MatrixXd& u = trajectory.bodies[static_cast<std::size_t>(context.body)].displacement;
+  return u.middleRows(3 * point, 3).transpose() * probe->direction;
+}
+
+double probe_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  return relative_l2(trapezoid_weights(truth.t), probe_signal(answer, context), probe_signal(truth, context));
+}
+
+SpragueGeers probe_marks(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  return sprague_geers(trapezoid_weights(truth.t), probe_signal(answer, context), probe_signal(truth, context));
+}
+double probe_magnitude(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  return probe_marks(answer, truth, context).magnitude;
+}
+double probe_phase(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  return probe_marks(answer, truth, context).phase;
+}
+double probe_combined(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  return probe_marks(answer, truth, context).combined;
+}
+
+double truth_above_band(const Trajectory&, const Trajectory& truth, const MetricContext& context) {
+  const Index n = truth.t.size();
+  if (n < 8) return nan;  // a window of fewer samples tells no frequencies apart
+  const double step = (truth.t(n - 1) - truth.t(0)) / static_cast<double>(n - 1);
+  const VectorXd steps = truth.t.tail(n - 1) - truth.t.head(n - 1);
+  if (!((steps.array() - step).abs().maxCoeff() <= 1e-6 * step)) {
+    throw std::invalid_argument("metric truth-above-band: times are not equidistant");
+  }
+  const VectorXd w = context.points.volume.weights.replicate(1, 3).transpose().reshaped();
+  return energy_share_above(motion(truth, context).volume, w, 1 / step, context.scene.samples_per_second / 20);
+}
+
+std::vector<Metric> catalogue() {
+  constexpr bool probe = true, free_only = true, truth_alone = true, no = false;
+  return {
+      {"displacement-error", "-",
+       "Relative L2 error of the deformation over space (M norm) and time, each answer in its own best rigid frame.",
+       no, no, no, &displacement_error},
+      {"strain-error", "-",
+       "Relative error of the linear strain in the K norm (strain energy, stands for stress) over space and time.", no,
+       no, no, &strain_error},
+      {"surface-deviation", "-",
+       "Largest distance of the deformed surfaces over points and time, divided by the largest edge of the bounding "
+       "box.",
+       no, no, no, &surface_deviation},
+      {"pose-translation", "m", "Largest distance of the centroids over time; free bodies only.", no, free_only, no,
+       &pose_translation},
+      {"pose-rotation", "rad", "Largest angle between the best rigid frames over time; free bodies only.", no,
+       free_only, no, &pose_rotation},
+      {"probe-error", "-", "Relative L2 error over time of a probe's displacement along its direction.", probe, no, no,
+       &probe_error},
+      {"probe-magnitude", "-", "Sprague and Geers' M of a probe's signal: relative excess of its size, signed.", probe,
+       no, no, &probe_magnitude},
+      {"probe-phase", "-", "Sprague and Geers' P of a probe's signal: phase shift divided by pi, in [0, 1].", probe, no,
+       no, &probe_phase},
+      {"probe-combined", "-", "Sprague and Geers' C of a probe's signal: sqrt(M^2 + P^2).", probe, no, no,
+       &probe_combined},
+      {"truth-above-band", "-",
+       "Share of the truth's deformation (M norm, Hann window) that happens above a twentieth of samples_per_second.",
+       no, no, truth_alone, &truth_above_band},
+  };
+}
+
+}  // namespace
+
+const std::vector<Metric>& metric_catalogue() {
+  static const std::vector<Metric> all = catalogue();
+  return all;
+}
+
+}  // namespace mb

@@ -1,0 +1,19 @@
+// A body's motion taken apart for comparison: pose and deformation at every time.
+#pragma once
+
+#include <vector>
+
+#include "harness/metrics/metric.h"
+#include "harness/metrics/pose.h"
+
+namespace mb {
+
+struct Motion {
+  std::vector<RigidFrame> frames;  // one a time; of a body that is not free: at rest
+  MatrixXd volume;                 // [m] 3 p_volume x n_t deformation
+  MatrixXd surface;                // [m] 3 p_surface x n_t, in the same frames
+};
+
+Motion motion(const Trajectory& trajectory, const MetricContext& context);
+
+}  // namespace mb

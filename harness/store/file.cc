@@ -1,0 +1,114 @@
+#include "harness/store/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+
+namespace mb {
+
+namespace {
+
+std::string reason() { return std::generic_category().message(errno); }
+
+// An open file descriptor.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  bool open() const { return fd_ >= 0; }
+  int get() const { return fd_; }
+  bool close() {
+    const int fd = fd_;
+    fd_ = -1;
+    return fd < 0 || ::close(fd) == 0;
+  }
+
+ private:
+  int fd_;
+};
+
+// Removes the temporary file unless it got its final name.
+class Temporary {
+ public:
+  explicit Temporary(std::string name) : name_(std::move(name)) {}
+  ~Temporary() {
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  void keep() { name_.clear(); }
+
+ private:
+  std::string name_;
+};
+
+bool write_all(int fd, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t n = ::write(fd, content.data(), content.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+// So that the new name survives a power cut. Some file systems cannot: the file itself is safe already.
+void sync_folder(const std::filesystem::path& folder) {
+  const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (descriptor.open()) ::fsync(descriptor.get());
+}
+
+}  // namespace
+
+StoreError::StoreError(std::filesystem::path file, const std::string& fault)
+    : std::runtime_error(file.string() + ": " + fault), file_(std::move(file)) {}
+
+void write_file(const std::filesystem::path& file, std::string_view content) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw StoreError(file, "its folder cannot be made: " + error.message());
+
+  std::string name = file.string() + ".XXXXXX";
+  Descriptor descriptor(::mkostemp(name.data(), O_CLOEXEC));
+  if (!descriptor.open()) throw StoreError(file, "cannot be written: " + reason());
+  Temporary temporary(name);
+  ::fchmod(descriptor.get(), 0644);  // mkostemp's 0600 would hide a shared store from its other readers
+  if (!write_all(descriptor.get(), content) || ::fsync(descriptor.get()) != 0 || !descriptor.close() ||
+      ::rename(name.c_str(), file.c_str()) != 0) {
+    throw StoreError(file, "cannot be written: " + reason());
+  }
+  temporary.keep();
+  sync_folder(folder);
+}
+
+std::string read_file(const std::filesystem::path& file, std::uintmax_t max_size) {
+  // O_NONBLOCK: opening a named pipe must not wait for its writer.
+  const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!descriptor.open()) throw StoreError(file, "cannot be read: " + reason());
+  struct stat status {};
+  if (::fstat(descriptor.get(), &status) != 0) throw StoreError(file, "cannot be read: " + reason());
+  if (!S_ISREG(status.st_mode)) throw StoreError(file, "is not a regular file");
+  const auto size = static_cast<std::uintmax_t>(status.st_size);
+  if (size > max_size) throw StoreError(file, "is larger than " + std::to_string(max_size) + " bytes");
+
+  std::string content(size, '\0');
+  std::size_t n_read = 0;
+  while (n_read < size) {
+    const ssize_t n = ::read(descriptor.get(), content.data() + n_read, size - n_read);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw StoreError(file, "cannot be read: " + reason());
+    if (n == 0) throw StoreError(file, "became shorter while it was read");
+    n_read += static_cast<std::size_t>(n);
+  }
+  return content;
+}
+
+}  // namespace mb

@@ -1,0 +1,88 @@
+#include "harness/store/file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+
+#include "harness/store/scratch_folder_test.h"
+
+namespace mb {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+std::ptrdiff_t n_files(const std::filesystem::path& folder) {
+  return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+}
+
+// No file may grow beyond `size` while this lives: the disk is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t size) : action_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{size, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, action_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*action_)(int);
+};
+
+TEST(File, ContentComesBackFromAFolderThatIsMade) {
+  const ScratchFolder folder;
+  const std::string content("a\0b\nc", 5);
+  write_file(folder / "deep/er/file", content);
+  EXPECT_EQ(read_file(folder / "deep/er/file", 5), content);
+  write_file(folder / "deep/er/file", "");
+  EXPECT_EQ(read_file(folder / "deep/er/file", 0), "");
+  EXPECT_EQ(n_files(folder / "deep/er"), 1);  // no temporary file remains
+}
+
+TEST(File, AFullDiskIsToldAndTheOldFileStands) {
+  const ScratchFolder folder;
+  write_file(folder / "file", "old");
+  {
+    const FullDisk full(4096);
+    EXPECT_THAT(
+        [&] { write_file(folder / "file", std::string(100000, 'x')); },
+        ThrowsMessage<StoreError>(AllOf(HasSubstr((folder / "file").string()), HasSubstr("cannot be written"))));
+  }
+  EXPECT_EQ(read_file(folder / "file", 100), "old");
+  EXPECT_EQ(n_files(folder.path()), 1);
+}
+
+TEST(File, AFolderThatCannotBeWrittenIsTold) {
+  const ScratchFolder folder;
+  write_file(folder / "file", "x");
+  EXPECT_THROW(write_file(folder / "file/below", "y"), StoreError);
+  EXPECT_THROW(write_file("/proc/modalbench", "y"), StoreError);
+  std::filesystem::create_directory(folder / "taken");
+  EXPECT_THROW(write_file(folder / "taken", "y"), StoreError);
+  EXPECT_EQ(n_files(folder.path()), 2);
+}
+
+TEST(File, WhatIsNoFileOrTooLargeIsNotRead) {
+  const ScratchFolder folder;
+  write_file(folder / "file", "12345");
+  EXPECT_THAT([&] { read_file(folder / "file", 4); }, ThrowsMessage<StoreError>(HasSubstr("larger than 4 bytes")));
+  EXPECT_THROW(read_file(folder / "missing", 4), StoreError);
+  EXPECT_THROW(read_file(folder.path(), 4), StoreError);
+  EXPECT_THROW(read_file("/dev/zero", 4), StoreError);
+  try {
+    read_file(folder / "missing", 4);
+  } catch (const StoreError& error) {
+    EXPECT_EQ(error.file(), folder / "missing");
+  }
+}
+
+}  // namespace
+}  // namespace mb

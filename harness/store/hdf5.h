@@ -1,0 +1,39 @@
+// The door of HDF5: real matrices, counts and texts by name, as the bytes of an HDF5 1.10 file and back.
+//
+// Written: one dataset a matrix in the root group, little-endian doubles, shuffle and deflate, unit as an attribute;
+// counts and texts are attributes of the root. The library works on memory alone: files are opened by
+// harness/store/file. An Eigen column is a row of the dataset, so that a dataset's first index is the matrix' second.
+//
+// Read: untrusted. Plugins are off, and all else than the above is refused before its data is touched: heaps, soft,
+// external and user-defined links, groups, other types, external storage, virtual datasets, other filters (a file with
+// external storage could read any file of the machine). Dimensions are checked before anything is allocated.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "mechanics/types.h"
+
+namespace mb {
+
+struct Hdf5Matrix {
+  MatrixXd values;
+  std::string unit;
+};
+struct Hdf5Content {
+  std::map<std::string, long> counts;
+  std::map<std::string, std::string> texts;  // each of 1 to 4096 bytes
+  std::map<std::string, Hdf5Matrix> matrices;
+};
+
+inline constexpr Index hdf5_max_objects = 512;              // datasets, and attributes of the root
+inline constexpr Index hdf5_max_elements = Index{1} << 26;  // of all matrices together: 512 MiB
+
+// Throws std::runtime_error where the library fails, std::invalid_argument beyond the limits above.
+std::string to_hdf5(const Hdf5Content& content);
+
+// Throws std::runtime_error with one sentence that names the fault and, where there is one, the object.
+Hdf5Content from_hdf5(std::string_view bytes);
+
+}  // namespace mb

@@ -1,0 +1,59 @@
+#include "harness/store/low_rank.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace mb {
+namespace {
+
+// Standing waves: three shapes, three frequencies.
+MatrixXd motion(Index n_values, Index n_times) {
+  MatrixXd values = MatrixXd::Zero(n_values, n_times);
+  for (int k = 1; k <= 3; ++k) {
+    const auto x = VectorXd::LinSpaced(n_values, 0, 1).array(), t = VectorXd::LinSpaced(n_times, 0, 1).array();
+    values += std::pow(10.0, -3 * k) * (k * x).sin().matrix() * (7 * k * t).cos().matrix().transpose();
+  }
+  return values;
+}
+
+TEST(LowRank, RankIsThatOfTheMotionTallOrWide) {
+  for (const auto& [m, n] : {std::pair<Index, Index>{300, 40}, {40, 300}, {50, 50}}) {
+    const MatrixXd A = motion(m, n);
+    const auto factors = low_rank(A, 1e-12);
+    ASSERT_TRUE(factors);
+    EXPECT_EQ(factors->left.cols(), 3);
+    EXPECT_EQ(factors->right.rows(), 3);
+    // Rounding of the decomposition: some ulp of the largest singular value.
+    EXPECT_LT((factors->left * factors->right - A).norm(), 1e-14 * A.norm());
+  }
+}
+
+TEST(LowRank, ErrorStaysBelowTheTolerance) {
+  const MatrixXd A = motion(300, 40);
+  const auto factors = low_rank(A, 1e-4);  // drops the waves that are 1e-6 of the largest, at most
+  ASSERT_TRUE(factors);
+  EXPECT_EQ(factors->left.cols(), 2);
+  EXPECT_LT((factors->left * factors->right - A).norm(), 1e-4 * A.norm());
+}
+
+TEST(LowRank, ZeroHasRankOneAndStaysZero) {
+  const auto factors = low_rank(MatrixXd::Zero(30, 20), 1e-12);
+  ASSERT_TRUE(factors);
+  EXPECT_EQ(factors->left * factors->right, MatrixXd::Zero(30, 20));
+}
+
+TEST(LowRank, NothingWhereFactorsDoNotPayOrDoNotExist) {
+  EXPECT_FALSE(low_rank(MatrixXd::Random(30, 20), 1e-12));
+  EXPECT_FALSE(low_rank(MatrixXd(0, 5), 1e-12));
+  MatrixXd A = motion(300, 40);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    A(17, 3) = bad;
+    EXPECT_FALSE(low_rank(A, 1e-12));
+  }
+  EXPECT_FALSE(low_rank(1e200 * motion(300, 40), 1e-12));  // squares overflow: kept as they are
+}
+
+}  // namespace
+}  // namespace mb

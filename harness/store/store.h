@@ -1,0 +1,50 @@
+// What has been computed, kept by content: a run is named by the hash of all that determines it.
+//
+//   STORE/trajectories/<hash>.h5   answers of contenders        STORE/records/<hash>.jsonl   the marks of one run
+//   STORE/truth/<hash>.h5          answers of the truth         STORE/results.jsonl          all marks, rebuilt
+//
+// Every file appears whole or not at all, one file a run: any number of processes may share a store. A damaged file is
+// named and never used: compute it again and write it over.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cases/contract/record.h"
+#include "cases/json/record_json.h"
+#include "harness/store/trajectory_file.h"
+
+namespace mb {
+
+// Every hash is one of content_hash: anything else throws std::invalid_argument. Reading and writing throw StoreError.
+class Store {
+ public:
+  // Nothing is made or written yet: a store may be read from a read-only disk, and may not exist before its first file.
+  explicit Store(std::filesystem::path directory);
+  const std::filesystem::path& directory() const { return directory_; }
+
+  bool has_trajectory(const std::string& hash) const;  // whether the file is there, not whether it is sound
+  Trajectory read_trajectory(const std::string& hash) const;
+  void write_trajectory(const std::string& hash, const Trajectory& trajectory) const;
+
+  bool has_truth(const std::string& hash) const;
+  Trajectory read_truth(const std::string& hash) const;
+  void write_truth(const std::string& hash, const Trajectory& trajectory) const;
+
+  // Replaces what was recorded of this run; every record's `run` is the hash.
+  bool has_records(const std::string& hash) const;
+  void write_records(const std::string& hash, const std::vector<Record>& records) const;
+
+  // Sorted by run; damaged lines, and records under another run's name, are in `refused`.
+  RecordLines read_all_records() const;
+
+  // results.jsonl from the files of the runs. Returns the lines that were refused and left out.
+  std::vector<RefusedLine> rebuild_results() const;
+
+ private:
+  std::filesystem::path file(const char* shelf, const std::string& hash, const char* ending) const;
+  std::filesystem::path directory_;
+};
+
+}  // namespace mb

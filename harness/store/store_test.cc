@@ -1,0 +1,122 @@
+#include "harness/store/store.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "harness/store/hash.h"
+#include "harness/store/scratch_folder_test.h"
+
+namespace mb {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string low(32, '0'), high(32, 'f');
+
+Record record(const std::string& run, double value) {
+  Record record;
+  record.run = run;
+  record.case_name = "a";
+  record.profile = "quick";
+  record.contender = {"eigenmodes", "exact", {4, {1, 4}}, {}};
+  record.metric = "displacement-error";
+  record.truth = "finer";
+  record.value = value;
+  record.unit = "-";
+  record.status = "ok";
+  return record;
+}
+
+Trajectory trajectory(double amplitude) {
+  Trajectory trajectory;
+  trajectory.t = VectorXd::LinSpaced(5, 0, 1);
+  trajectory.bodies = {{MatrixXd::Constant(6, 5, amplitude), MatrixXd(0, 0)}};
+  return trajectory;
+}
+
+TEST(Store, TrajectoriesAndTruthsAreKeptApart) {
+  const ScratchFolder folder;
+  const Store store(folder / "results");
+  EXPECT_FALSE(store.has_trajectory(low));
+  store.write_trajectory(low, trajectory(1));
+  store.write_truth(low, trajectory(2));
+  EXPECT_TRUE(store.has_trajectory(low));
+  EXPECT_TRUE(store.has_truth(low));
+  EXPECT_FALSE(store.has_truth(high));
+  // 1e-12: what the store may drop.
+  EXPECT_NEAR(store.read_trajectory(low).bodies[0].displacement(0, 0), 1, 1e-12);
+  EXPECT_NEAR(store.read_truth(low).bodies[0].displacement(0, 0), 2, 2e-12);
+  EXPECT_THROW(store.read_trajectory(high), StoreError);
+}
+
+TEST(Store, ResultsAreTheRecordsOfAllRunsSortedByRun) {
+  const ScratchFolder folder;
+  const Store store(folder / "results");
+  EXPECT_TRUE(store.read_all_records().records.empty());
+  store.write_records(high, {record(high, 3), record(high, 4)});
+  store.write_records(low, {record(low, 1)});
+  store.write_records(low, {record(low, 2)});  // replaces
+  EXPECT_TRUE(store.has_records(low));
+  EXPECT_TRUE(store.rebuild_results().empty());
+  const RecordLines lines = read_records(store.directory() / "results.jsonl");
+  ASSERT_EQ(lines.records.size(), 3u);
+  EXPECT_EQ(lines.records[0].run, low);
+  EXPECT_EQ(lines.records[0].value, 2);
+  EXPECT_EQ(lines.records[1].value, 3);
+  EXPECT_EQ(lines.records[2].value, 4);
+}
+
+TEST(Store, DamagedRecordsAreNamedAndLeftOut) {
+  const ScratchFolder folder;
+  const Store store(folder.path());
+  store.write_records(low, {record(low, 1)});
+  const std::string good = read_file(folder / "records" / (low + ".jsonl"), 1 << 20);
+  write_file(folder / "records" / (high + ".jsonl"), good + good.substr(0, 50));  // under another run's name; cut short
+  write_file(folder / "records" / (high + ".jsonl.Xy12Z3"), "left behind by an interrupted run");
+  write_file(folder / "records" / "notes.jsonl", "not ours");
+  const RecordLines lines = store.read_all_records();
+  EXPECT_EQ(lines.records.size(), 1u);
+  ASSERT_EQ(lines.refused.size(), 2u);
+  EXPECT_THAT(lines.refused[0].reason, HasSubstr("another run"));
+  EXPECT_EQ(lines.refused[1].line, 2);
+  EXPECT_EQ(lines.refused[1].file.filename(), high + ".jsonl");
+  EXPECT_EQ(store.rebuild_results().size(), 2u);
+}
+
+TEST(Store, DamagedTrajectoriesAreNamedAndCanBeWrittenOver) {
+  const ScratchFolder folder;
+  const Store store(folder.path());
+  write_file(folder / "truth" / (low + ".h5"), "damaged");
+  EXPECT_TRUE(store.has_truth(low));
+  try {
+    store.read_truth(low);
+    FAIL();
+  } catch (const StoreError& error) {
+    EXPECT_EQ(error.file().filename(), low + ".h5");
+  }
+  store.write_truth(low, trajectory(1));
+  EXPECT_EQ(store.read_truth(low).t.size(), 5);
+}
+
+TEST(Store, OnlyHashesNameRuns) {
+  const ScratchFolder folder;
+  const Store store(folder.path());
+  for (const char* name : {"", "../x", "/etc/passwd", "ABC"}) {
+    EXPECT_THROW(store.has_trajectory(name), std::invalid_argument);
+    EXPECT_THROW(store.write_truth(name, trajectory(1)), std::invalid_argument);
+    EXPECT_THROW(store.write_records(name, {}), std::invalid_argument);
+  }
+  EXPECT_THROW(store.write_records(high, {record(low, 1)}), std::invalid_argument);
+}
+
+TEST(Store, APlaceThatCannotBeWrittenIsTold) {
+  const ScratchFolder folder;
+  write_file(folder / "file", "x");
+  const Store store(folder / "file");
+  EXPECT_THROW(store.write_trajectory(low, trajectory(1)), StoreError);
+  EXPECT_THROW(store.write_records(low, {record(low, 1)}), StoreError);
+  EXPECT_THROW(store.rebuild_results(), StoreError);
+}
+
+}  // namespace
+}  // namespace mb

@@ -1,0 +1,27 @@
+// A trajectory as one HDF5 file, schema 1:
+//
+//   t[n_t] [s];  per body k  displacement[n_t, 3 p] [m]  and  strain[n_t, 6 p_volume] [-],  each either plain
+//   (bodyK_displacement) or as amplitudes[n_t, rank] x shapes[rank, values], cut at 1e-12 of the largest singular value
+//
+// Work counts and status are attributes of the root, and so is a checksum of all other content, compared on reading.
+#pragma once
+
+#include <filesystem>
+
+#include "cases/contract/method.h"
+#include "harness/store/file.h"
+
+namespace mb {
+
+inline constexpr int trajectory_schema = 1;
+inline constexpr double trajectory_tolerance = 1e-12;  // [-] of the largest singular value of a body's displacement
+
+// Values that are not finite are kept as they are. Throws StoreError where the file cannot be written, and
+// std::invalid_argument where sizes do not agree: columns of displacement and strain are times (strain may have none).
+void write_trajectory(const std::filesystem::path& file, const Trajectory& trajectory);
+
+// Throws StoreError naming file and fault: truncated, altered, another schema, too large (512 MiB of values at most),
+// or anything else that write_trajectory does not write. The file may come from anywhere.
+Trajectory read_trajectory(const std::filesystem::path& file);
+
+}  // namespace mb

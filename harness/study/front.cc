@@ -1,0 +1,54 @@
+#include "harness/study/front.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace mb {
+
+namespace {
+
+struct Run {
+  double time = -1;
+  bool once = false;
+  std::map<std::string, double> errors;
+};
+
+constexpr std::array norms{"displacement-error", "strain-error", "surface-deviation"};
+
+std::map<std::string, Run> full_order_runs(const std::vector<Record>& records, const std::string& case_name) {
+  std::map<std::string, Run> runs;
+  for (const Record& r : records) {
+    if (r.case_name != case_name || r.contender.method != "full-order" || r.status != "ok") continue;
+    if (r.metric == "online-time") {
+      runs[r.run].time = r.value;
+      runs[r.run].once = !r.error_bar;
+    } else if (r.truth == "finer") {
+      runs[r.run].errors[r.metric] = r.value;
+    }
+  }
+  std::erase_if(runs, [](const auto& entry) { return entry.second.time < 0; });
+  return runs;
+}
+
+}  // namespace
+
+std::vector<std::string> dear_front(const std::vector<Record>& records, const std::string& case_name) {
+  const auto runs = full_order_runs(records, case_name);
+  std::set<std::string> chosen;
+  for (const auto& [name, run] : runs)
+    for (const std::string norm : norms) {
+      const auto error = run.errors.find(norm);
+      if (!run.once || error == run.errors.end()) continue;
+      const bool beaten = std::any_of(runs.begin(), runs.end(), [&](const auto& other) {
+        const auto rival = other.second.errors.find(norm);
+        return rival != other.second.errors.end() && rival->second <= error->second &&
+               1.33 * other.second.time < run.time;
+      });
+      if (!beaten) chosen.insert(name);
+    }
+  return {chosen.begin(), chosen.end()};
+}
+
+}  // namespace mb

@@ -1,0 +1,15 @@
+// Which full-order runs deserve a repeated timing: those which no other run beats in both error and time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/contract/record.h"
+
+namespace mb {
+
+// Runs of the case that were timed once (no spread) and lie on the front of online time against the error in any of the
+// three norms (displacement, strain, surface; against `finer`), with a third of slack in time for the noise of one run.
+std::vector<std::string> dear_front(const std::vector<Record>& records, const std::string& case_name);
+
+}  // namespace mb

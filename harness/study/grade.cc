@@ -1,0 +1,105 @@
+#include "harness/study/grade.h"
+
+#include <cmath>
+#include <limits>
+
+#include "harness/study/plan.h"
+
+namespace mb {
+
+Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free,
+               std::map<std::string, std::string> provenance)
+    : scene_(scene), truth_(truth), provenance_(std::move(provenance)) {
+  for (const Body& body : scene.bodies) points_.push_back(evaluation_points(scene, body));
+  for (const Metric& metric : metric_catalogue())
+    for (size_t b = 0; b < scene.bodies.size(); ++b) {
+      if (metric.free_only && !free[b]) continue;
+      const MetricContext context{scene, static_cast<Index>(b), points_[b], free[b], -1};
+      if (!metric.per_probe) subjects_.push_back({metric, context, scene.bodies[b].name});
+      for (size_t p = 0; metric.per_probe && p < scene.probes.size(); ++p) {
+        if (scene.probes[p].body != scene.bodies[b].name) continue;
+        MetricContext at_probe{scene, static_cast<Index>(b), points_[b], free[b], static_cast<Index>(p)};
+        subjects_.push_back({metric, at_probe, scene.probes[p].name});
+      }
+    }
+  for (size_t i = 0; i < subjects_.size(); ++i)
+    for (const TruthKind kind : {TruthKind::same_mesh, TruthKind::finer})
+      bars_[{i, kind}] = error_bar(subjects_[i].metric, truth_, kind, subjects_[i].context);
+}
+
+std::vector<TruthKind> Grader::kinds(const Record& base) const {
+  const bool same = base.contender.resolution == scene_.bodies.front().resolution;
+  return same ? std::vector{TruthKind::finer, TruthKind::same_mesh} : std::vector{TruthKind::finer};
+}
+
+Record Grader::blank(const Record& base, const Subject& subject, TruthKind kind) const {
+  Record record = base;
+  record.case_name = scene_.name;
+  record.profile = scene_.profile;
+  record.metric = subject.metric.name;
+  record.subject = subject.name;
+  record.truth = to_string(kind);
+  record.unit = subject.metric.unit;
+  record.provenance = provenance_;
+  return record;
+}
+
+std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) const {
+  std::vector<Record> records;
+  for (const TruthKind kind : kinds(base))
+    for (size_t i = 0; i < subjects_.size(); ++i) {
+      const Subject& subject = subjects_[i];
+      if (subject.metric.of_truth_alone) continue;
+      const Mark mark = mb::mark(subject.metric, answer, truth_.of(kind), subject.context);
+      Record record = blank(base, subject, kind);
+      record.value = mark.value;
+      record.status = mark.status;
+      record.work = answer.work;
+      if (const double bar = bars_.at({i, kind}); std::isfinite(bar)) record.error_bar = bar;
+      records.push_back(std::move(record));
+    }
+  return records;
+}
+
+std::vector<Record> Grader::truth_marks(const Record& base) const {
+  std::vector<Record> records;
+  for (const Subject& subject : subjects_) {
+    if (!subject.metric.of_truth_alone) continue;
+    const Mark mark = mb::mark(subject.metric, truth_.finer, truth_.finer, subject.context);
+    Record record = blank(base, subject, TruthKind::finer);
+    record.value = mark.value;
+    record.status = mark.status;
+    record.work = truth_.finer.work;
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+std::vector<Record> Grader::failure(const Record& base, const std::string& status) const {
+  std::vector<Record> records;
+  for (const TruthKind kind : kinds(base))
+    for (const Subject& subject : subjects_) {
+      if (subject.metric.of_truth_alone) continue;
+      Record record = blank(base, subject, kind);
+      record.value = std::numeric_limits<double>::quiet_NaN();
+      record.status = status;
+      records.push_back(std::move(record));
+    }
+  return records;
+}
+
+Record Grader::number(const Record& base, const std::string& metric, const std::string& unit, double value,
+                      double bar) const {
+  Record record = base;
+  record.case_name = scene_.name;
+  record.profile = scene_.profile;
+  record.metric = metric;
+  record.value = value;
+  record.unit = unit;
+  record.status = "ok";
+  record.provenance = provenance_;
+  if (std::isfinite(bar)) record.error_bar = bar;
+  return record;
+}
+
+}  // namespace mb

@@ -1,0 +1,44 @@
+// Marks of stored trajectories: every metric that applies, against every truth that applies, as records.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "harness/study/truth.h"
+
+namespace mb {
+
+// Marks answers of one case. Error bars are computed once.
+class Grader {
+ public:
+  // free: per body of the scene, whether it moves freely. All arguments must outlive this.
+  Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free,
+         std::map<std::string, std::string> provenance);
+
+  // base: run, contender, modes_used, n_unknowns. Full-order rivals on other meshes are marked against `finer` alone.
+  std::vector<Record> marks(const Record& base, const Trajectory& answer) const;
+  // One record per metric that describes the truth itself.
+  std::vector<Record> truth_marks(const Record& base) const;
+  // A run that gave no answer: one record a metric with its status and no value.
+  std::vector<Record> failure(const Record& base, const std::string& status) const;
+  // A measured time or another number which needs no truth.
+  Record number(const Record& base, const std::string& metric, const std::string& unit, double value, double bar) const;
+
+ private:
+  struct Subject {
+    Metric metric;
+    MetricContext context;
+    std::string name;
+  };
+  Record blank(const Record& base, const Subject& subject, TruthKind kind) const;
+  std::vector<TruthKind> kinds(const Record& base) const;
+
+  const Scene& scene_;
+  const TruthSet& truth_;
+  std::map<std::string, std::string> provenance_;
+  std::vector<EvaluationPoints> points_;
+  std::vector<Subject> subjects_;
+  std::map<std::pair<size_t, TruthKind>, double> bars_;
+};
+
+}  // namespace mb

@@ -1,0 +1,16 @@
+// Names of results: the content hash of all that determines them (scene, contender, sources, library versions).
+#pragma once
+
+#include <string>
+
+#include "cases/contract/record.h"
+
+namespace mb {
+
+// The truth on one mesh at one tolerance; sources of mechanics, cases and reference count.
+std::string truth_hash(const Scene& scene, const Resolution& resolution, double relative_tolerance);
+
+// A contender's run and its marks; all sources but those of reports count.
+std::string run_hash(const Scene& scene, const Contender& contender);
+
+}  // namespace mb

@@ -1,0 +1,97 @@
+#include "harness/study/truth.h"
+
+#include <fmt/format.h>
+
+#include <future>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+
+#include "harness/measure.h"
+#include "harness/study/identity.h"
+#include "reference/full_model.h"
+
+namespace mb {
+
+namespace {
+
+struct Job {
+  Resolution resolution;
+  double tolerance;
+  Trajectory* result;
+};
+
+class TruthRuns {
+ public:
+  TruthRuns(std::shared_ptr<const Scene> scene, const Catalogue& catalogue, const Store& store,
+            const Progress& progress)
+      : scene_(std::move(scene)), catalogue_(catalogue), store_(store), progress_(progress) {}
+
+  void run(const Job& job) {
+    const std::string hash = truth_hash(*scene_, job.resolution, job.tolerance);
+    if (auto stored = read(hash)) {
+      *job.result = std::move(*stored);
+      return;
+    }
+    const double time = seconds([&] { *job.result = compute(job); });
+    if (job.result->status != Status::ok)
+      throw std::runtime_error(fmt::format("the truth of {} on {} at rtol {:.0e} failed: {}", scene_->name,
+                                           to_string(job.resolution), job.tolerance, to_string(job.result->status)));
+    store_.write_truth(hash, *job.result);
+    say(fmt::format("{} · truth {} rtol {:.0e} · {} steps · {:.1f} s", scene_->name, to_string(job.resolution),
+                    job.tolerance, job.result->work.steps, time));
+  }
+
+ private:
+  std::optional<Trajectory> read(const std::string& hash) {
+    if (!store_.has_truth(hash)) return {};
+    try {
+      return store_.read_truth(hash);
+    } catch (const StoreError& damaged) {
+      say(std::string(damaged.what()) + "; computed again");
+      return {};
+    }
+  }
+  Trajectory compute(const Job& job) const {
+    const Model model = build_model(scene_, &job.resolution);
+    Settings settings;
+    settings.relative_tolerance = job.tolerance;
+    return catalogue_.method("full-order")
+        .prepare(model, settings, catalogue_.integrator("sundials"))
+        ->simulate({sample_times(*scene_), true});
+  }
+  void say(const std::string& line) {
+    const std::lock_guard lock(mutex_);
+    progress_(line);
+  }
+
+  std::shared_ptr<const Scene> scene_;
+  const Catalogue& catalogue_;
+  const Store& store_;
+  const Progress& progress_;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+TruthSet truths(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
+                const Progress& progress) {
+  TruthSet set;
+  TruthRuns runs(scene, catalogue, store, progress);
+  const TruthSettings& t = scene->truth;
+  const Resolution& mesh = scene->bodies.front().resolution;
+  // The finer one costs about as much as the others together: two lanes.
+  auto lane = std::async(std::launch::async, [&] { runs.run({t.finer, t.relative_tolerance, &set.finer}); });
+  runs.run({t.coarser, t.relative_tolerance, &set.coarser});
+  runs.run({mesh, t.relative_tolerance / 100, &set.same_mesh});
+  runs.run({mesh, t.relative_tolerance, &set.loose});
+  lane.get();
+  return set;
+}
+
+double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, const MetricContext& context) {
+  const double time = distance(metric, truth.loose, truth.same_mesh, context);
+  return kind == TruthKind::same_mesh ? time : time + distance(metric, truth.coarser, truth.finer, context);
+}
+
+}  // namespace mb

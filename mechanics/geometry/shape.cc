@@ -1,0 +1,82 @@
+#include "mechanics/geometry/shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "mechanics/geometry/overloaded.h"
+
+namespace mb {
+
+double volume(const Shape& shape) {
+  return std::visit(overloaded{[](const Box& b) { return b.size.prod(); },
+                               [](const Cylinder& c) { return pi * c.radius * c.radius * c.length; },
+                               [](const Sphere& s) { return 4.0 / 3.0 * pi * s.radius * s.radius * s.radius; }},
+                    shape);
+}
+
+double extent(const Shape& shape) {
+  return std::visit(overloaded{[](const Box& b) { return b.size.maxCoeff(); },
+                               [](const Cylinder& c) { return std::max(2 * c.radius, c.length); },
+                               [](const Sphere& s) { return 2 * s.radius; }},
+                    shape);
+}
+
+std::vector<std::string> face_names(const Shape& shape) {
+  return std::visit(
+      overloaded{[](const Box&) -> std::vector<std::string> {
+                   return {"x-min", "x-max", "y-min", "y-max", "z-min", "z-max"};
+                 },
+                 [](const Cylinder&) -> std::vector<std::string> { return {"side", "z-min", "z-max"}; },
+                 [](const Sphere&) -> std::vector<std::string> { return {"surface"}; }},
+      shape);
+}
+
+namespace {
+
+struct AxisFace { int axis; double sign; };
+
+// "y-max" -> {1, +1}; the name is known to be one of the shape's plane faces.
+AxisFace axis_face(const std::string& face) { return {face[0] - 'x', face.ends_with("max") ? 1.0 : -1.0}; }
+
+void require_face(const Shape& shape, const std::string& face) {
+  const auto names = face_names(shape);
+  if (std::find(names.begin(), names.end(), face) == names.end())
+    throw std::invalid_argument("unknown face '" + face + "'");
+}
+
+double half_length(const Shape& shape, int axis) {
+  return std::visit(overloaded{[&](const Box& b) { return 0.5 * b.size[axis]; },
+                               [](const Cylinder& c) { return 0.5 * c.length; },
+                               [](const Sphere& s) { return s.radius; }},
+                    shape);
+}
+
+}  // namespace
+
+bool is_plane(const Shape& shape, const std::string& face) {
+  require_face(shape, face);
+  return face != "side" && face != "surface";
+}
+
+Vector3d plane_normal(const Shape& shape, const std::string& face) {
+  if (!is_plane(shape, face)) throw std::invalid_argument("face '" + face + "' is curved");
+  const auto [axis, sign] = axis_face(face);
+  return sign * Vector3d::Unit(axis);
+}
+
+double face_distance(const Shape& shape, const std::string& face, const Vector3d& x) {
+  require_face(shape, face);
+  if (face == "side") return x.head<2>().norm() - std::get<Cylinder>(shape).radius;
+  if (face == "surface") return x.norm() - std::get<Sphere>(shape).radius;
+  const auto [axis, sign] = axis_face(face);
+  return sign * x[axis] - half_length(shape, axis);
+}
+
+bool contains(const Shape& shape, const Vector3d& x, double tolerance) {
+  const auto names = face_names(shape);
+  return std::all_of(names.begin(), names.end(),
+                     [&](const auto& face) { return face_distance(shape, face, x) <= tolerance; });
+}
+
+}  // namespace mb

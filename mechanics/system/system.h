@@ -1,0 +1,66 @@
+// One body, full or reduced:
+//
+//   M u'' + C u' + K u = F s(t),    C = alpha (M - M R R^T M) + beta K,    u(0) = u0, u'(0) = v0
+//
+// Free degrees of freedom only: supports are condensed, never unit rows. A reduced system is a System again, so every
+// integrator and every measure works on both.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "mechanics/history/history.h"
+#include "mechanics/material/damping.h"
+#include "mechanics/types.h"
+
+namespace mb {
+
+struct System {
+  SparseMatrix M;          // [kg] n x n, SPD, full storage
+  SparseMatrix K;          // [N/m] n x n, symmetric positive semi-definite, K R = 0
+  Rayleigh damping;
+  MatrixXd R;              // n x m, rigid modes which the supports leave free, R^T M R = I; m = 6 for a free body
+  MatrixXd F;              // [N] n x number of loads
+  std::vector<History> s;  // one a column of F
+  VectorXd u0, v0;         // [m], [m/s]; n
+};
+
+VectorXd apply_damping(const System& system, const VectorXd& v);  // C v [N]
+
+// s(t) of all loads, prepared for many evaluations; one a thread.
+class LoadFactors {
+ public:
+  explicit LoadFactors(const System& system);
+  const VectorXd& operator()(double t) const;  // valid until the next call
+
+ private:
+  std::vector<std::function<double(double)>> histories_;
+  mutable VectorXd s_;
+};
+
+double kinetic_energy(const System& system, const VectorXd& v);   // [J]
+double strain_energy(const System& system, const VectorXd& u);    // [J]
+
+// What an integrator did; counts, never seconds.
+struct Work { long steps = 0, rejected = 0, factorisations = 0, solves = 0, load_evaluations = 0; };
+
+enum class Status { ok, not_finite, no_convergence, too_many_steps };
+const char* to_string(Status status);
+
+// States at the times asked for. Where status is not ok, columns from n_valid on are not to be used.
+struct States {
+  MatrixXd u, v;  // [m], [m/s]; n x number of times
+  Work work;
+  Status status = Status::ok;
+  Index n_valid = 0;
+};
+
+// A time integrator prepared for one system (factors made). Const runs: repeatable, no state kept between them.
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  // times [s]: ascending, first >= 0; the run starts at t = 0 from u0, v0.
+  virtual States run(const VectorXd& times) const = 0;
+};
+
+}  // namespace mb

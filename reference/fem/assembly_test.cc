@@ -1,0 +1,149 @@
+#include "reference/fem/assembly.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/scene/one_body.h"
+#include "reference/fem/evaluation.h"
+#include "reference/fem/supports.h"
+#include "reference/full_model.h"
+
+namespace mb::fem {
+namespace {
+
+const Material rubber{2e4, 0.45, 1100};
+const Shape box = Box{{0.3, 0.2, 0.5}}, cylinder = Cylinder{0.05, 0.2}, sphere = Sphere{0.07};
+
+struct Mesh { Shape shape; Resolution resolution; double tolerance; };
+// The integrands of the divergence theorem on a cell are polynomials of degree 3p - 1 per direction, the quadrature is
+// exact to 2p + 1: for p <= 2, or straight cells, only rounding is left; beyond, the quadrature error of curved cells.
+const std::vector<Mesh> meshes = {{box, {1, {3, 2, 4}}, 1e-13},      {box, {4, {1, 1, 2}}, 1e-13},
+                                  {cylinder, {1, {2, 3}}, 1e-13},    {cylinder, {2, {1, 2}}, 1e-13},
+                                  {cylinder, {3, {1, 2}}, 1e-5},     {cylinder, {4, {1, 2}}, 1e-6},
+                                  {sphere, {1, {2}}, 1e-13},         {sphere, {2, {2}}, 1e-13}};
+
+// Node values of the displacement u = G x.
+VectorXd linear_field(const Discretisation& d, const Eigen::Matrix3d& G) {
+  const Matrix3Xd u = G * d.node_positions();
+  return Eigen::Map<const VectorXd>(u.data(), u.size());
+}
+
+const Eigen::Matrix3d gradient = (Eigen::Matrix3d() << 1e-2, 3e-3, -2e-3, 5e-3, -4e-3, 1e-3, 7e-3, -6e-3, 8e-3).finished();
+
+Eigen::Matrix<double, 6, 1> voigt_strain(const Eigen::Matrix3d& G) {
+  return (Eigen::Matrix<double, 6, 1>() << G(0, 0), G(1, 1), G(2, 2), G(1, 2) + G(2, 1), G(0, 2) + G(2, 0),
+          G(0, 1) + G(1, 0)).finished();
+}
+
+// Patch test: a linear displacement has constant stress, so K u balances the tractions sigma n on the boundary.
+TEST(PatchTest, LinearDisplacementBalancesConstantStress) {
+  for (const Mesh& mesh : meshes) {
+    const Discretisation d(mesh.shape, mesh.resolution);
+    const Matrices matrices = assemble(d, rubber);
+    const Eigen::Matrix<double, 6, 1> s = elasticity_matrix(rubber) * voigt_strain(gradient);
+    Eigen::Matrix3d sigma;
+    sigma << s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2];
+    VectorXd f = VectorXd::Zero(d.n_dofs());
+    for (const auto& face : d.faces) {
+      const VectorXd normal = patch_normal(d, {face, {}});
+      for (Index a = 0; a < d.n_nodes(); ++a) f.segment<3>(3 * a) += sigma * normal.segment<3>(3 * a);
+    }
+    const VectorXd residual = matrices.K * linear_field(d, gradient) - f;
+    EXPECT_LT(residual.norm(), mesh.tolerance * f.norm()) << to_string(mesh.resolution) << " of shape " << mesh.shape.index();
+  }
+}
+
+TEST(Assembly, MassIsDensityTimesMeshVolume) {
+  for (const Mesh& mesh : meshes) {
+    const Discretisation d(mesh.shape, mesh.resolution);
+    const Matrices matrices = assemble(d, rubber);
+    for (int i = 0; i < 3; ++i) {
+      VectorXd one = VectorXd::Zero(d.n_dofs());
+      for (Index a = 0; a < d.n_nodes(); ++a) one[3 * a + i] = 1;
+      const double expected = rubber.density * matrices.mesh_volume;
+      EXPECT_NEAR(one.dot(matrices.M * one), expected, 1e-12 * expected);
+    }
+  }
+}
+
+TEST(Assembly, CylinderVolumeOfQuarticsOnTenCells) {
+  const Discretisation d(cylinder, {4, {1, 2}});
+  EXPECT_EQ(d.mesh.n_active_cells(), 10u);
+  EXPECT_NEAR(assemble(d, rubber).mesh_volume, volume(cylinder), 1e-5 * volume(cylinder));
+}
+
+TEST(Assembly, QuickCylinderHasTheStatedSize) {
+  EXPECT_EQ(Discretisation(cylinder, {4, {1, 4}}).n_dofs(), 4539);
+  EXPECT_EQ(Discretisation(cylinder, {4, {2, 4}}).n_dofs(), 17187);
+  EXPECT_EQ(Discretisation(cylinder, {3, {2, 4}}).n_dofs(), 7527);
+  EXPECT_EQ(Discretisation(cylinder, {1, {1, 2}}).mesh.n_active_cells(), 10u);
+}
+
+TEST(Assembly, RigidMotionsCostNoEnergy) {
+  for (const Mesh& mesh : meshes) {
+    const Discretisation d(mesh.shape, mesh.resolution);
+    const Matrices matrices = assemble(d, rubber);
+    const Supports free = condense(d, {});
+    const MatrixXd R = free_rigid_modes(d, free, matrices.M);
+    ASSERT_EQ(R.cols(), 6);
+    EXPECT_LT((R.transpose() * (matrices.M * R) - MatrixXd::Identity(6, 6)).cwiseAbs().maxCoeff(), 1e-13);
+    const double K_norm = matrices.K.diagonal().maxCoeff();
+    // Rounding of K: some hundred entries a row.
+    EXPECT_LT((matrices.K * R).cwiseAbs().maxCoeff(), 1e-12 * K_norm * R.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST(Supports, LeaveTheRigidMotionsTheyDoNotHold) {
+  const auto free_motions = [](const Shape& shape, const Resolution& resolution, const std::vector<Support>& supports) {
+    Scene scene = one_body(shape, rubber, resolution);
+    scene.bodies[0].supports = supports;
+    const auto model = full_model(scene, scene.bodies[0], resolution);
+    const System& s = model->system();
+    EXPECT_LE((s.K * s.R).norm(), 1e-10 * s.K.norm() * s.R.norm());
+    return s.R.cols();
+  };
+  using K = Support::Kind;
+  const Patch bottom{"z-min", {}}, top{"z-max", {}};
+  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::fixed, bottom}}), 0);
+  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::sliding, bottom}}), 3);                        // two shifts, one turn
+  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::mean, bottom}}), 5);                           // no axial shift
+  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::mean, bottom}, {K::mean, top}}), 5);           // the same shift
+  const Patch corner{"z-min", Disc{{0.02, 0.01, -0.1}, 0.02}}, other{"z-min", Disc{{-0.02, 0, -0.1}, 0.02}};
+  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::mean, corner}, {K::mean, other}}), 4);         // and one tilt
+  EXPECT_EQ(free_motions(box, {1, {2, 2, 2}}, {{K::sliding, bottom}, {K::sliding, {"x-min", {}}}}), 1);
+}
+
+TEST(Evaluation, LinearFieldsAreReproducedAtEveryPoint) {
+  for (const Mesh& mesh : meshes) {
+    const Discretisation d(mesh.shape, mesh.resolution);
+    for (const Quadrature& q : {volume_quadrature(mesh.shape), surface_quadrature(mesh.shape)}) {
+      const VectorXd u = linear_field(d, gradient), at = displacement_at(d, q.points) * u, strain = strain_at(d, q.points) * u;
+      const Matrix3Xd expected = gradient * q.points;
+      // Newton's inversion of the mapping stops at about 1e-12 of the cell.
+      EXPECT_LT((at - Eigen::Map<const VectorXd>(expected.data(), expected.size())).cwiseAbs().maxCoeff(), 1e-11 * extent(mesh.shape));
+      EXPECT_LT((strain - voigt_strain(gradient).replicate(q.points.cols(), 1)).cwiseAbs().maxCoeff(), 1e-11);
+    }
+  }
+}
+
+TEST(Evaluation, RefusesAPointFarOutside) {
+  const Discretisation d(box, {1, {2, 2, 2}});
+  EXPECT_THROW(displacement_at(d, Vector3d(1, 1, 1)), std::invalid_argument);
+}
+
+TEST(Loads, EndTractionsAreInBalanceAndPatchesSum) {
+  const Discretisation d(cylinder, {4, {1, 4}});
+  const VectorXd ends = patch_load(d, {"z-min", {}}, {0, 0, 400}) + patch_load(d, {"z-max", {}}, {0, 0, -400});
+  const VectorXd top = patch_load(d, {"z-max", {}}, {0, 0, -400});
+  double force = 0, sum = 0;
+  for (Index a = 0; a < d.n_nodes(); ++a) sum += ends[3 * a + 2], force += top[3 * a + 2];
+  const double area = pi * 0.05 * 0.05;
+  EXPECT_NEAR(force, -400 * area, 400 * area * 2e-5);  // boundary error of quartics on five blocks
+  EXPECT_NEAR(sum, 0, 1e-12 * 400 * area);
+  // int (1 - (d/a)^2)^2 dA = pi a^2 / 3
+  const VectorXd disc = patch_load(d, {"z-max", Disc{{0, 0, 0.1}, 0.03}}, {1, 0, 0});
+  EXPECT_NEAR(disc.sum(), pi * 0.03 * 0.03 / 3, 2e-3 * pi * 0.03 * 0.03 / 3);  // C1 weight across cells, Gauss
+  EXPECT_THROW(patch_load(d, {"z-max", Disc{{5, 0, 0.1}, 0.03}}, {1, 0, 0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mb::fem

@@ -1,0 +1,248 @@
+#include "reference/sundials.h"
+
+#include <arkode/arkode_arkstep.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_nonlinearsolver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "mechanics/algebra/cholesky.h"
+#include "mechanics/system/shifted.h"
+
+namespace mb {
+
+namespace {
+
+using Vector = Eigen::Map<VectorXd>;
+constexpr long max_steps = 2'000'000;
+
+struct Scales { double displacement, velocity; };  // [m], [m/s], both > 0
+
+// Sizes that the motion can reach, in the M norm per root mass: with tau the duration, the response to the peak load
+// and to the initial velocity of  (K + M/tau^2) x = F max|s|,  and the initial state itself.
+Scales motion_scales(const System& system, double duration) {
+  const double mass = system.M.sum() / 3;
+  const auto norm = [&](const SparseMatrix& A, const VectorXd& x) { return std::sqrt(x.dot(A * x) / mass); };
+  const Shifted quasi_static(system, duration);
+  VectorXd x = VectorXd::Zero(system.u0.size()), z = x;
+  VectorXd f = x;
+  for (Index l = 0; l < system.F.cols(); ++l)
+    f += system.F.col(l).cwiseAbs() * peak(system.s[static_cast<size_t>(l)], duration);
+  quasi_static.solve(f, x);
+  x *= duration * duration;
+  quasi_static.solve(system.M * system.v0, z);
+  const double u = norm(system.M, x) + norm(system.M, system.u0) +
+                   std::sqrt(std::max(0.0, system.v0.dot(system.M * z) / mass)) * duration;
+  const double v = norm(system.K, x) + norm(system.M, x) / duration + norm(system.K, system.u0) +
+                   norm(system.M, system.v0);
+  if (!std::isfinite(u) || !std::isfinite(v)) throw std::runtime_error("sundials: loads or initial state not finite");
+  return {u > 0 ? u : 1, v > 0 ? v : 1};  // nothing moves: any scale serves
+}
+
+// What one run needs at every callback. ARKODE sees it as user data and as the stage solver's content.
+struct Problem {
+  Problem(const System& system_, const Cholesky& mass_, double gamma)
+      : system(system_), mass(mass_), factors(system_), A(system_, gamma), b(system_.u0.size()), x(system_.u0.size()) {}
+
+  const System& system;
+  const Cholesky& mass;
+  LoadFactors factors;
+  Shifted A;
+  VectorXd b, x;
+  void* arkode = nullptr;
+  double before = 0;  // [s] next breakpoint: loads are taken from its left
+  Work work;
+
+  double load_time(double t) const { return std::min(t, std::nextafter(before, 0.0)); }
+  Index n() const { return system.u0.size(); }
+
+  // b = F s(t) - K u
+  void unbalanced(double t, const Eigen::Ref<const VectorXd>& u) {
+    b.noalias() = -(system.K.transpose() * u);
+    b.noalias() += system.F * factors(load_time(t));
+    ++work.load_evaluations;
+  }
+};
+
+int right_hand_side(realtype t, N_Vector y, N_Vector ydot, void* data) {
+  Problem& p = *static_cast<Problem*>(data);
+  const Index n = p.n();
+  const Vector u(NV_DATA_S(y), n), v(NV_DATA_S(y) + n, n);
+  Vector(NV_DATA_S(ydot), n) = v;
+  p.unbalanced(t, u);
+  if (p.system.damping.alpha != 0 || p.system.damping.beta != 0) p.b -= apply_damping(p.system, v);
+  p.mass.solve(p.b.data(), NV_DATA_S(ydot) + n);
+  ++p.work.solves;
+  return 0;
+}
+
+// One implicit stage z = a + gamma f(z), linear in z, without forming f:
+//   (M + gamma C + gamma^2 K) v = M a_v + gamma (F s - K a_u),   u = a_u + gamma v
+int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vector, realtype, booleantype, void*) {
+  Problem& p = *static_cast<Problem*>(solver->content);
+  realtype t, gamma;
+  N_Vector predicted, z, Fi, data;
+  void* user;
+  if (ARKStepGetNonlinearSystemData(p.arkode, &t, &predicted, &z, &Fi, &gamma, &data, &user) != ARK_SUCCESS) return -1;
+  if (std::abs(gamma / p.A.gamma() - 1) > 1e-12) {  // ARKODE recomputes an unchanged gamma with rounding
+    p.A.set_gamma(gamma);
+    ++p.work.factorisations;
+  }
+  const Index n = p.n();
+  const Vector predicted_u(NV_DATA_S(predicted), n), data_u(NV_DATA_S(data), n), predicted_v(NV_DATA_S(predicted) + n, n),
+      data_v(NV_DATA_S(data) + n, n);
+  p.x = predicted_u + data_u;
+  p.unbalanced(t, p.x);
+  p.b *= gamma;
+  p.x = predicted_v + data_v;
+  p.b.noalias() += p.system.M.transpose() * p.x;
+  p.A.solve(p.b, p.x);
+  ++p.work.solves;
+  if (!std::isfinite(p.x.sum())) return -1;
+  Vector(NV_DATA_S(correction), n) = data_u + gamma * p.x;
+  Vector(NV_DATA_S(correction) + n, n) = p.x - predicted_v;
+  return SUN_NLS_SUCCESS;
+}
+
+SUNNonlinearSolver_Type root_finding(SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; }
+int accept_function(SUNNonlinearSolver, SUNNonlinSolSysFn) { return SUN_NLS_SUCCESS; }
+
+struct Free {
+  void operator()(SUNContext c) const { SUNContext_Free(&c); }
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+  void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFreeEmpty(s); }
+};
+template <class T>
+using Owned = std::unique_ptr<std::remove_pointer_t<T>, Free>;
+struct FreeArkode { void operator()(void* arkode) const { ARKStepFree(&arkode); } };
+
+void require(int flag, const char* call) {
+  if (flag < 0) throw std::runtime_error(std::string("SUNDIALS: ") + call + " failed with flag " + std::to_string(flag));
+}
+
+// ARKODE on one system: owns every SUNDIALS object of one run.
+class Run {
+ public:
+  Run(const System& system, const Cholesky& mass, double tolerance, Scales scales, double gamma)
+      : problem_(system, mass, gamma) {
+    const Index n = system.u0.size();
+    SUNContext context = nullptr;
+    require(SUNContext_Create(nullptr, &context), "SUNContext_Create");
+    context_.reset(context);
+    y_.reset(N_VNew_Serial(2 * n, context));
+    tolerance_.reset(N_VNew_Serial(2 * n, context));
+    displacement() = system.u0;
+    velocity() = system.v0;
+    Vector(NV_DATA_S(tolerance_.get()), n).setConstant(tolerance * scales.displacement);
+    Vector(NV_DATA_S(tolerance_.get()) + n, n).setConstant(tolerance * scales.velocity);
+    arkode_.reset(ARKStepCreate(nullptr, right_hand_side, 0, y_.get(), context));
+    if (!arkode_) throw std::runtime_error("SUNDIALS: ARKStepCreate failed");
+    configure(tolerance, context);
+  }
+
+  // Integrates to t, at most to the breakpoint `before`.
+  int advance(double t, double before) {
+    if (before != problem_.before) {
+      if (problem_.before > 0) require(ARKStepReset(arkode_.get(), problem_.before, y_.get()), "ARKStepReset");
+      problem_.before = before;
+    }
+    require(ARKStepSetStopTime(arkode_.get(), before), "ARKStepSetStopTime");
+    realtype reached = 0;
+    return ARKStepEvolve(arkode_.get(), t, y_.get(), &reached, ARK_NORMAL);
+  }
+
+  Vector displacement() { return {NV_DATA_S(y_.get()), problem_.n()}; }
+  Vector velocity() { return {NV_DATA_S(y_.get()) + problem_.n(), problem_.n()}; }
+  Work work() const {
+    Work work = problem_.work;
+    long attempts = 0;
+    ARKStepGetNumSteps(arkode_.get(), &work.steps);
+    ARKStepGetNumStepAttempts(arkode_.get(), &attempts);
+    work.rejected = attempts - work.steps;
+    return work;
+  }
+
+ private:
+  void configure(double tolerance, SUNContext context) {
+    void* ark = problem_.arkode = arkode_.get();
+    stage_solver_.reset(SUNNonlinSolNewEmpty(context));
+    stage_solver_->content = &problem_;
+    stage_solver_->ops->gettype = root_finding;
+    stage_solver_->ops->setsysfn = accept_function;
+    stage_solver_->ops->solve = solve_stage;
+    require(ARKStepSetUserData(ark, &problem_), "ARKStepSetUserData");
+    require(ARKStepSVtolerances(ark, tolerance, tolerance_.get()), "ARKStepSVtolerances");
+    require(ARKStepSetOrder(ark, 5), "ARKStepSetOrder");
+    require(ARKStepSetMaxNumSteps(ark, max_steps), "ARKStepSetMaxNumSteps");
+    require(ARKStepSetNonlinearSolver(ark, stage_solver_.get()), "ARKStepSetNonlinearSolver");
+    require(ARKStepSetDeduceImplicitRhs(ark, 1), "ARKStepSetDeduceImplicitRhs");
+    // The step stays unless it may grow by 1.6: an unchanged gamma keeps the factor.
+    require(ARKStepSetFixedStepBounds(ark, 1.0, 1.6), "ARKStepSetFixedStepBounds");
+  }
+
+  Problem problem_;
+  Owned<SUNContext> context_;
+  Owned<N_Vector> y_, tolerance_;
+  Owned<SUNNonlinearSolver> stage_solver_;
+  std::unique_ptr<void, FreeArkode> arkode_;
+};
+
+Status status_of(int flag) {
+  if (flag == ARK_TOO_MUCH_WORK) return Status::too_many_steps;
+  return Status::no_convergence;
+}
+
+class Sundials final : public Stepper {
+ public:
+  Sundials(const System& system, double tolerance, double duration)
+      : system_(system), tolerance_(tolerance), duration_(duration), mass_(system.M),
+        scales_(motion_scales(system, duration)) {
+    for (const History& s : system.s)
+      for (const double t : breakpoints(s, duration)) breaks_.push_back(t);
+    std::sort(breaks_.begin(), breaks_.end());
+    breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
+    breaks_.push_back(std::numeric_limits<double>::max());
+  }
+
+  States run(const VectorXd& times) const override {
+    States out{MatrixXd(system_.u0.size(), times.size()), MatrixXd(system_.u0.size(), times.size()), {}, Status::ok, 0};
+    Run run(system_, mass_, tolerance_, scales_, 1e-3 * duration_);
+    size_t next = 0;
+    for (Index k = 0; k < times.size(); ++k) {
+      int flag = ARK_SUCCESS;
+      for (; breaks_[next] < times[k] && flag >= 0; ++next)
+        if (breaks_[next] > 0) flag = run.advance(breaks_[next], breaks_[next]);
+      if (times[k] > 0 && flag >= 0) flag = run.advance(times[k], breaks_[next]);
+      if (flag < 0 || !run.displacement().allFinite()) {
+        out.status = flag < 0 ? status_of(flag) : Status::not_finite;
+        break;
+      }
+      out.u.col(k) = run.displacement();
+      out.v.col(k) = run.velocity();
+      out.n_valid = k + 1;
+    }
+    out.work = run.work();
+    return out;
+  }
+
+ private:
+  const System& system_;
+  double tolerance_, duration_;
+  Cholesky mass_;
+  Scales scales_;
+  std::vector<double> breaks_;  // [s] ascending, the last beyond all times
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> sundials(const System& system, double relative_tolerance, double duration) {
+  if (!(relative_tolerance >= 1e-12 && relative_tolerance <= 1e-2))
+    throw std::invalid_argument("sundials: the relative tolerance must lie in [1e-12, 1e-2]");
+  if (!(duration > 0)) throw std::invalid_argument("sundials: the duration must be positive");
+  return std::make_unique<Sundials>(system, relative_tolerance, duration);
+}
+
+}  // namespace mb

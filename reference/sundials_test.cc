@@ -1,0 +1,117 @@
+#include "reference/sundials.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/scene/one_body.h"
+#include "mechanics/system/exact.h"
+#include "mechanics/system/newmark.h"
+#include "reference/full_model.h"
+
+namespace mb {
+namespace {
+
+const Material gelatine{2e4, 0.45, 1100};
+
+Scene small_cylinder(const History& history, const Rayleigh& damping) {
+  Scene scene = one_body(Cylinder{0.05, 0.2}, gelatine, {2, {1, 2}});
+  scene.bodies[0].damping = damping;
+  scene.loads.push_back({"ends", history, {{"body", {"z-min", {}}, {0, 0, 400}}, {"body", {"z-max", {}}, {0, 0, -400}}}});
+  return scene;
+}
+
+double relative(const SparseMatrix& A, const MatrixXd& x, const MatrixXd& y) {
+  const MatrixXd e = x - y;
+  return std::sqrt((e.transpose() * (A * e)).trace() / (y.transpose() * (A * y)).trace());
+}
+
+const VectorXd times = VectorXd::LinSpaced(88, 0, 0.29);
+
+// The reference against the closed form of all modes of a small mesh: same M and K, two independent time integrations.
+void expect_agreement(const History& history, const Rayleigh& damping) {
+  const Scene scene = small_cylinder(history, damping);
+  const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
+  const System& s = model->system();
+  const States closed = exact(s, 0.29)->run(times), stepped = sundials(s, 1e-10, 0.29)->run(times);
+  ASSERT_EQ(stepped.status, Status::ok);
+  EXPECT_LT(relative(s.M, stepped.u, closed.u), 1e-7);
+  EXPECT_LT(relative(s.K, stepped.u, closed.u), 1e-7);
+}
+TEST(SundialsVerification, PulseAgreesWithAllModes) { expect_agreement(Pulse{0.096881}, {1.5733, 0}); }
+TEST(SundialsVerification, RayleighDampedPulseAgreesWithAllModes) { expect_agreement(Pulse{0.05}, {1.5733, 2e-4}); }
+TEST(SundialsVerification, HarmonicAgreesWithAllModes) { expect_agreement(Harmonic{60.0}, {1.5733, 0}); }
+TEST(SundialsVerification, TableWithKinksAgreesWithAllModes) {
+  expect_agreement(Table{{0, 0.05, 0.1, 0.2}, {0, 1, -0.5, 0}}, {0, 1e-4});
+}
+
+TEST(SundialsVerification, ReleaseFromOneModeIsACosine) {
+  Scene scene = small_cylinder(Pulse{0.1}, {});
+  scene.loads.clear();
+  const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
+  System s = model->system();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(MatrixXd(s.K), MatrixXd(s.M));
+  const Index i = 9;  // the first axial mode: six rigid, two bending, one torsion precede it
+  const double omega = std::sqrt(modes.eigenvalues()[i]);
+  s.u0 = 1e-3 * modes.eigenvectors().col(i);
+  MatrixXd expected(s.u0.size(), times.size());
+  for (Index k = 0; k < times.size(); ++k) expected.col(k) = std::cos(omega * times[k]) * s.u0;
+  const States states = sundials(s, 1e-8, 0.29)->run(times);
+  EXPECT_LT(relative(s.M, states.u, expected), 1e-6);  // a hundred times the tolerance, over three periods
+}
+
+TEST(Sundials, ErrorFallsWithTheTolerance) {
+  const Scene scene = small_cylinder(Pulse{0.096881}, {1.5733, 0});
+  const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
+  const System& s = model->system();
+  const States closed = exact(s, 0.29)->run(times);
+  double previous = 1;
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    const States stepped = sundials(s, tolerance, 0.29)->run(times);
+    const double error = relative(s.M, stepped.u, closed.u);
+    EXPECT_LT(error, 0.1 * previous) << tolerance;
+    EXPECT_LT(stepped.work.factorisations, stepped.work.steps / 4) << "the factor is meant to be reused";
+    previous = error;
+  }
+}
+
+TEST(Sundials, RefusesBadArguments) {
+  const Scene scene = small_cylinder(Pulse{0.1}, {});
+  const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
+  EXPECT_THROW(sundials(model->system(), 0, 1), std::invalid_argument);
+  EXPECT_THROW(sundials(model->system(), 1e-6, 0), std::invalid_argument);
+  System broken = model->system();
+  broken.u0[0] = std::nan("");
+  EXPECT_THROW(sundials(broken, 1e-6, 1), std::runtime_error);
+}
+
+TEST(NewmarkVerification, SecondOrderAgainstAllModes) {
+  const Scene scene = small_cylinder(Pulse{0.096881}, {1.5733, 1e-4});
+  const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
+  const System& s = model->system();
+  const VectorXd t = VectorXd::LinSpaced(30, 0, 0.29);
+  const States closed = exact(s, 0.29)->run(t);
+  std::vector<double> errors;
+  for (const double h : {1e-3, 5e-4, 2.5e-4}) errors.push_back(relative(s.M, newmark(s, h)->run(t).u, closed.u));
+  for (size_t i = 1; i < errors.size(); ++i) EXPECT_NEAR(std::log2(errors[i - 1] / errors[i]), 2, 0.1);
+}
+
+TEST(Newmark, ConservesEnergyOfAFreeUndampedBody) {
+  Scene scene = small_cylinder(Pulse{0.1}, {});
+  scene.loads.clear();
+  const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
+  System s = model->system();
+  s.v0 = VectorXd::LinSpaced(s.u0.size(), -1, 1);
+  const VectorXd t = VectorXd::LinSpaced(1001, 0, 1);  // the steps' own times: interpolation is not conservative
+  const States states = newmark(s, 1e-3)->run(t);
+  const double initial = kinetic_energy(s, s.v0);
+  for (Index k = 0; k < t.size(); k += 50)
+    EXPECT_NEAR(kinetic_energy(s, states.v.col(k)) + strain_energy(s, states.u.col(k)), initial, 1e-9 * initial);
+}
+
+TEST(Newmark, RefusesAStepThatIsNotPositive) {
+  const Scene scene = small_cylinder(Pulse{0.1}, {});
+  const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
+  for (const double h : {0.0, -1.0, std::nan("")}) EXPECT_THROW(newmark(model->system(), h), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mb

@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "reports/synthetic.h"
+
+namespace mb {
+namespace {
+
+using synthetic::record;
+using synthetic::reduced;
+
+Scene scene_with(const Check& check) {
+  Scene scene = synthetic::scene();
+  scene.checks = {check};
+  return scene;
+}
+
+Check at_most(double bound) { return {"eigenmodes", "displacement-error", "finer", 8, bound, {}, "why"}; }
+Check at_least(double bound) { return {"eigenmodes", "displacement-error", "finer", 8, {}, bound, "why"}; }
+
+CheckResult result_of(const Check& check, const std::vector<Record>& records) {
+  const auto results = check_results({scene_with(check)}, records);
+  EXPECT_EQ(results.size(), 1u);
+  return results.at(0);
+}
+
+std::vector<Record> answer(double value, double bar) {
+  return {record("displacement-error", value, bar, reduced("eigenmodes", 8))};
+}
+
+TEST(CheckResults, HoldsWithinItsBoundAndAtIt) {
+  EXPECT_TRUE(result_of(at_most(0.02), answer(0.01, 1e-3)).holds);
+  EXPECT_TRUE(result_of(at_most(0.02), answer(0.02, 1e-3)).holds);
+  EXPECT_TRUE(result_of(at_least(0.02), answer(0.03, 1e-3)).holds);
+}
+
+TEST(CheckResults, FailsOutsideItsBound) {
+  const CheckResult above = result_of(at_most(0.02), answer(0.021, 1e-3));
+  EXPECT_FALSE(above.holds);
+  EXPECT_TRUE(above.measured);
+  EXPECT_TRUE(above.decidable);
+  EXPECT_FALSE(result_of(at_least(0.02), answer(0.01, 1e-3)).holds);
+}
+
+TEST(CheckResults, CannotTellBelowTheErrorBar) {
+  const CheckResult result = result_of(at_most(1e-4), answer(5e-5, 4e-4));
+  EXPECT_FALSE(result.decidable);
+  EXPECT_FALSE(result.holds);
+  EXPECT_TRUE(result.measured);
+}
+
+TEST(CheckResults, FailsSurelyWhereTheValueIsFurtherThanTheBarFromTheBound) {
+  const CheckResult result = result_of(at_most(1e-4), answer(1e-2, 4e-4));
+  EXPECT_TRUE(result.decidable);
+  EXPECT_FALSE(result.holds);
+}
+
+TEST(CheckResults, IsNotMeasuredWithoutRecord) {
+  const CheckResult result = result_of(at_most(1), {});
+  EXPECT_FALSE(result.measured);
+  EXPECT_FALSE(result.holds);
+  EXPECT_EQ(result.status, "no record");
+}
+
+TEST(CheckResults, AnswersOnlyWithItsOwnMethodMetricTruthModesAndProfile) {
+  for (int variant = 0; variant < 6; ++variant) {
+    std::vector<Record> records = answer(0.5, 0);
+    Record& other = records[0];
+    if (variant == 0) other.contender.method = std::string("static-correction");
+    if (variant == 1) other.metric = std::string("strain-error");
+    if (variant == 2) other.truth = std::string("same_mesh");
+    if (variant == 3) other.contender.settings.modes = 16;
+    if (variant == 4) other.profile = std::string("full");
+    if (variant == 5) other.case_name = std::string("another");
+    EXPECT_FALSE(result_of(at_most(1), records).measured) << variant;
+  }
+}
+
+TEST(CheckResults, AFailedRecordIsNoNumber) {
+  std::vector<Record> records = answer(1e-9, 0);
+  records[0].status = std::string("no_convergence");
+  EXPECT_FALSE(result_of(at_most(1), records).measured);
+  EXPECT_EQ(result_of(at_most(1), records).status, "no_convergence");
+  records[0].status = std::string("ok");
+  records[0].value = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(result_of(at_most(1), records).holds);
+}
+
+TEST(CheckResults, TheWorstBodyDecides) {
+  std::vector<Record> records = answer(0.01, 0);
+  records[0].subject = std::string("ball");
+  records.push_back(answer(0.03, 0)[0]);
+  records[1].subject = std::string("plate");
+  EXPECT_DOUBLE_EQ(result_of(at_most(0.02), records).value, 0.03);
+  EXPECT_FALSE(result_of(at_most(0.02), records).holds);
+  EXPECT_DOUBLE_EQ(result_of(at_least(0.02), records).value, 0.01);
+}
+
+}  // namespace
+}  // namespace mb

@@ -1,0 +1,51 @@
+// What a report is made of: the stored records and the scenes they belong to. Nothing is recomputed here but
+// arithmetic on records (pivoting, speed-up at equal error, verdicts of checks).
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cases/contract/record.h"
+#include "cases/scene/scene.h"
+
+namespace mb {
+
+struct ReportInput {
+  std::vector<Record> records;
+  std::vector<Scene> scenes;                       // with their checks and prose
+  std::map<std::string, std::string> environment;  // commit, date, profile, processor, threads, blas, compiler
+  std::map<std::string, std::string> metric_docs;  // metric name -> definition
+};
+
+// A check of a case with what was measured; where several bodies or probes answer it, the one furthest from its bound.
+struct CheckResult {
+  std::string case_name;
+  Check check;
+  double value = 0, error_bar = 0;
+  bool measured = false;         // false where no usable record answers it: `status` says what the record says, if any
+  bool holds = false;            // measured, decidable and within its bound
+  bool decidable = true;         // false: the bound lies below the error bar and the value too near to tell
+  std::string status = "ok";     // of the record; "no record" where there is none
+};
+std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const std::vector<Record>& records);
+
+// For one reduced run: the cheapest full-order contender whose error is at most the reduced run's, by the same metric.
+// No interpolation between runs. Errors below their bar count as the bar. rival empty: none reached that error.
+struct SpeedUp {
+  Record error, time;                      // of the reduced run
+  std::vector<Record> rival;               // {} or {error, time} of the cheapest full-order contender
+  double ratio = 0;                        // [-] rival time / time; 0 where no rival
+  double ratio_low = 0, ratio_high = 0;    // from the spreads of both times
+};
+std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::string& metric);
+
+// Whether the browser part was built into this library; without it write_report writes no report.html.
+bool page_available();
+
+// Writes report.md, data/*.csv, data/results.jsonl, tables/*.tex, figures/*.vl.json and, where the browser part was
+// built, report.html below `directory`. Returns the files written. Throws std::runtime_error on a failed write.
+std::vector<std::filesystem::path> write_report(const ReportInput& input, const std::filesystem::path& directory);
+
+}  // namespace mb

@@ -1,0 +1,26 @@
+// How numbers are printed for people. Files for machines carry the shortest text that reads back exactly.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cases/contract/record.h"
+
+namespace mb {
+
+// At most `digits` significant digits; powers of ten outside [1e-3, 1e5): 0.0123, 123, 4.56e-5. Not finite: "not finite".
+std::string format_number(double value, int digits = 3);
+
+// A number that somebody chose: no more digits than it has, at most six. 0.0025, 1e-6.
+std::string format_setting(double value);
+
+// Shortest decimal that reads back to the same double; "" where not finite.
+std::string exact_number(double value);
+
+// No more digits than the bar supports (1 to 3); "<= bar" where |value| is below it.
+std::string format_with_bar(double value, std::optional<double> bar);
+
+// format_with_bar, or "failed (status)" where the record has no number to show.
+std::string format_record(const Record& record);
+
+}  // namespace mb

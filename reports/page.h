@@ -1,0 +1,23 @@
+// The page: a template made at build time (markup, style, one script, content security policy) with the report's data
+// in a <script type="application/json">.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "cases/json/json.h"
+#include "reports/views.h"
+
+namespace mb {
+
+std::string_view page_template();  // "" where the browser part was not built; made by the build
+
+// JSON text that stands inside a script element: `<` is written \u003c, so that neither </script nor <!-- can occur.
+std::string script_json(const Json& json);
+
+Json page_json(const Analysis& analysis);
+
+// Throws std::logic_error where the template has no place for the data.
+std::string page(const Analysis& analysis, std::string_view page_template);
+
+}  // namespace mb

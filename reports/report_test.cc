@@ -1,0 +1,141 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "cases/json/record_json.h"
+#include "reports/figures.h"
+#include "reports/synthetic.h"
+
+namespace mb {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string read(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  EXPECT_TRUE(stream.is_open()) << path;
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+class WriteReport : public testing::Test {
+ protected:
+  void SetUp() override {
+    directory_ = fs::path(testing::TempDir()) /
+                 (std::string("report-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(directory_);
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+  fs::path directory_;
+};
+
+TEST_F(WriteReport, WritesEveryFileItNames) {
+  const auto files = write_report(synthetic::input(), directory_);
+  for (const fs::path& file : files) EXPECT_GT(fs::file_size(file), 0u) << file;
+  for (const char* name :
+       {"report.md", "data/results.jsonl", "data/records.csv", "data/speed-up.csv", "tables/checks.tex",
+        "figures/work-against-precision-cylinder-compression-quick-finer-displacement-error.vl.json"}) {
+    EXPECT_TRUE(fs::exists(directory_ / name)) << name;
+  }
+  EXPECT_EQ(fs::exists(directory_ / "report.html"), page_available());
+}
+
+TEST_F(WriteReport, RecordsReadBack) {
+  const auto records = synthetic::records();
+  write_report(synthetic::input(), directory_);
+  const RecordLines lines = read_records(directory_ / "data/results.jsonl");
+  EXPECT_TRUE(lines.refused.empty());
+  ASSERT_EQ(lines.records.size(), records.size());
+  EXPECT_EQ(lines.records[7].value, records[7].value);
+  EXPECT_EQ(lines.records[7].metric, records[7].metric);
+}
+
+TEST_F(WriteReport, OpensWithTheVerdictAndNamesProfileTruthAndFailures) {
+  write_report(synthetic::input(), directory_);
+  const std::string text = read(directory_ / "report.md");
+  EXPECT_LT(text.find("## Verdict"), text.find("## Checks"));
+  EXPECT_THAT(text, HasSubstr("2 of 3 checks hold, 1 not decidable"));
+  EXPECT_THAT(text, HasSubstr("case cylinder-compression, profile quick, truth finer"));
+  EXPECT_THAT(text, HasSubstr("failed (not_finite)"));
+  EXPECT_THAT(text, HasSubstr("none reached"));
+  EXPECT_THAT(text, HasSubstr("break-even"));
+  EXPECT_THAT(text, HasSubstr("modalbench run cylinder-compression --profile quick"));
+  EXPECT_THAT(text, Not(testing::ContainsRegex("[^a-z](nan|inf)[^a-z]")));
+}
+
+TEST_F(WriteReport, WithoutRecordsItSaysSo) {
+  write_report({}, directory_);
+  EXPECT_THAT(read(directory_ / "report.md"), HasSubstr("There are no records"));
+  EXPECT_THAT(read(directory_ / "report.md"), HasSubstr("No case in this report states a check"));
+  write_report({.records = {}, .scenes = {synthetic::scene()}, .environment = {}, .metric_docs = {}}, directory_);
+  EXPECT_THAT(read(directory_ / "report.md"), HasSubstr("3 not measured"));
+}
+
+TEST_F(WriteReport, HostileNamesStayText) {
+  ReportInput input = synthetic::input();
+  const std::string script = "<script>alert(1)</script>";
+  for (Record& record : input.records) {
+    record.case_name = script;
+    if (record.contender.method == "eigenmodes") record.contender.method = std::string("=cmd|'/c calc'!A1");
+    if (!record.subject.empty()) record.subject = std::string("../../x\\input{y}");
+  }
+  input.scenes[0].title = script;
+  input.environment["commit"] = "`rm -rf`\n# heading";
+  for (const fs::path& file : write_report(input, directory_)) {
+    EXPECT_EQ(fs::relative(file, directory_).string().find(".."), std::string::npos) << file;
+    const std::string text = read(file);
+    if (file.extension() == ".csv") {
+      EXPECT_THAT(text, Not(HasSubstr(",=cmd"))) << file;
+    }
+    if (file.extension() == ".md") {
+      EXPECT_THAT(text, Not(testing::ContainsRegex("[^\\]<script>"))) << file;
+    }
+    if (file.extension() == ".md") {
+      EXPECT_THAT(text, Not(HasSubstr("\n# heading"))) << file;
+    }
+    if (file.extension() == ".tex") {
+      EXPECT_THAT(text, Not(HasSubstr("\\input"))) << file;
+    }
+    if (file.extension() == ".html") {
+      EXPECT_THAT(text, Not(HasSubstr("<script>alert"))) << file;
+    }
+  }
+}
+
+TEST_F(WriteReport, AnUnwritableDirectoryIsAnError) {
+  fs::create_directories(directory_);
+  std::ofstream(directory_ / "data") << "a file where a folder must be";  // holds for root too, unlike permissions
+  EXPECT_THROW(write_report(synthetic::input(), directory_), std::runtime_error);
+  EXPECT_THROW(write_report(synthetic::input(), "/proc/no-such-place"), std::runtime_error);
+  EXPECT_THROW(write_report(synthetic::input(), "/dev/null"), std::runtime_error);
+}
+
+TEST(Figures, HoldOneDatumARunAndNoFailedOnes) {
+  const auto all = figures(analyse(synthetic::input()));
+  ASSERT_FALSE(all.empty());
+  for (const Figure& figure : all) {
+    for (const Json& datum : figure.specification["data"]["values"]) {
+      EXPECT_TRUE(datum["value"].is_number()) << figure.name;
+      EXPECT_TRUE(datum.contains("series"));
+    }
+  }
+}
+
+TEST(Figures, TimesAreASimulatedSecondsWhereTheSceneIsKnown) {
+  ReportInput input = synthetic::input();
+  const Analysis known = analyse(input);
+  input.scenes.clear();
+  const Analysis unknown = analyse(input);
+  EXPECT_TRUE(time_axis(known).per_simulated_second);
+  EXPECT_FALSE(time_axis(unknown).per_simulated_second);
+  const double a = run_json(known, known.runs[0])["time"], b = run_json(unknown, unknown.runs[0])["time"];
+  EXPECT_NEAR(a * synthetic::scene().duration, b, 1e-15 * b * 8);  // one division and one product
+}
+
+}  // namespace
+}  // namespace mb

@@ -1,0 +1,48 @@
+// A table as a value (a Table is a load history): made once from the records, printed as Markdown, CSV, LaTeX and by the page.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/contract/record.h"
+
+namespace mb {
+
+struct Cell {
+  std::string text;                  // for people; untrusted: every format escapes it
+  std::optional<double> value = {};  // unit of its column, full precision; none: text alone
+  std::optional<double> bar = {};    // uncertainty of value, same unit
+  std::string status = {};           // of the record behind it; "" where there is none
+};
+
+struct Column {
+  enum class Kind { text, number, error, time };  // error and time carry a bar and a status
+  std::string name, unit;
+  Kind kind = Kind::text;
+};
+
+struct Sheet {
+  std::string name;   // file stem
+  std::string title;  // names case, profile and truth once the table is split
+  std::string note;   // one sentence on how to read it
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;  // each as long as columns
+};
+
+Cell text_cell(std::string text);
+Cell count_cell(long value);
+Cell number_cell(std::optional<double> value);  // "" where none
+Cell setting_cell(double value);                 // all digits that were chosen
+Cell record_cell(const Record* record);         // "" where none, "failed (...)" where its status is not ok
+
+// Without the columns that are empty in every row.
+Sheet without_empty_columns(const Sheet& table);
+
+// One table for every combination of the leading `n_keys` text columns, which move into the title; the largest error
+// bar of every error column moves into the note.
+std::vector<Sheet> split(const Sheet& table, int n_keys);
+
+std::string header(const Column& column);  // "online time [s]"
+
+}  // namespace mb

@@ -1,0 +1,92 @@
+// Speed-up at equal error:  ratio = min { t_f : e_f <= e_r } / t_r,   f full order, r reduced, e = max(|error|, bar).
+#include "reports/speedup.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "reports/runs.h"
+
+namespace mb {
+namespace {
+
+struct Candidate {
+  const Run* run;
+  const Record* error;
+};
+
+bool cheaper(const Candidate& a, const Candidate& b) {
+  if (a.run->online->value != b.run->online->value) return a.run->online->value < b.run->online->value;
+  return counted_error(*a.error) < counted_error(*b.error);
+}
+
+bool is_timed(const Run& run) { return run.online && is_usable(*run.online) && run.online->value > 0; }
+
+SpeedUp against(const Candidate& reduced, const std::vector<Candidate>& rivals) {
+  SpeedUp result{.error = *reduced.error, .time = *reduced.run->online, .rival = {}};
+  const Candidate* best = nullptr;
+  for (const Candidate& rival : rivals) {
+    if (counted_error(*rival.error) > counted_error(*reduced.error)) continue;
+    if (!best || cheaper(rival, *best)) best = &rival;
+  }
+  if (!best) return result;
+  const Record& slow = *best->run->online;
+  const double t = result.time.value, spread = result.time.error_bar.value_or(0);
+  const double t_rival = slow.value, spread_rival = slow.error_bar.value_or(0);
+  result.rival = {*best->error, slow};
+  result.ratio = t_rival / t;
+  result.ratio_low = std::max(0.0, t_rival - spread_rival) / (t + spread);
+  result.ratio_high = spread < t ? (t_rival + spread_rival) / (t - spread) : std::numeric_limits<double>::infinity();
+  return result;
+}
+
+}  // namespace
+
+std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::string& metric) {
+  using Key = std::tuple<std::string, std::string, Measure>;  // case, profile, measure: what may be compared
+  std::map<Key, std::vector<Candidate>> reduced, rivals;
+  const std::vector<Run> runs = group_runs(records);
+  for (const Run& run : runs) {
+    if (!is_timed(run)) continue;
+    for (const auto& [measure, record] : run.measures) {
+      if (measure.metric != metric || !is_usable(record)) continue;
+      auto& side = is_reduced(run.contender) ? reduced : rivals;
+      side[{run.case_name, run.profile, measure}].push_back({&run, &record});
+    }
+  }
+  std::vector<SpeedUp> results;
+  for (const auto& [key, candidates] : reduced) {
+    for (const Candidate& candidate : candidates) results.push_back(against(candidate, rivals[key]));
+  }
+  return results;
+}
+
+std::vector<SpeedUp> cheapest_within(const std::vector<SpeedUp>& all, const std::string& truth, double target) {
+  std::map<std::pair<std::string, std::string>, SpeedUp> best;  // by case and profile
+  for (const SpeedUp& candidate : all) {
+    if (candidate.error.truth != truth || counted_error(candidate.error) > target) continue;
+    const auto [entry, inserted] = best.try_emplace({candidate.error.case_name, candidate.error.profile}, candidate);
+    if (!inserted && candidate.time.value < entry->second.time.value) entry->second = candidate;
+  }
+  std::vector<SpeedUp> results;
+  for (const auto& [key, value] : best) results.push_back(value);
+  return results;
+}
+
+std::optional<double> median_ratio(const std::vector<SpeedUp>& all) {
+  std::vector<double> ratios;
+  for (const SpeedUp& one : all) {
+    if (!one.rival.empty()) ratios.push_back(one.ratio);
+  }
+  if (ratios.empty()) return std::nullopt;
+  std::sort(ratios.begin(), ratios.end());
+  const std::size_t middle = ratios.size() / 2;
+  return ratios.size() % 2 ? ratios[middle] : 0.5 * (ratios[middle - 1] + ratios[middle]);
+}
+
+std::optional<double> break_even(double offline, double rate, double rival_offline, double rival_rate) {
+  if (offline <= rival_offline && rate <= rival_rate) return 0.0;
+  if (rate >= rival_rate) return std::nullopt;
+  return std::max(0.0, (offline - rival_offline) / (rival_rate - rate));
+}
+
+}  // namespace mb

@@ -1,0 +1,131 @@
+#include "reports/speedup.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reports/synthetic.h"
+
+namespace mb {
+namespace {
+
+using synthetic::full;
+using synthetic::record;
+using synthetic::reduced;
+using synthetic::seconds;
+
+void add(std::vector<Record>& records, const Contender& contender, double error, double bar, double time,
+         double spread) {
+  records.push_back(record("displacement-error", error, bar, contender));
+  records.push_back(seconds("online-time", time, contender));
+  records.back().error_bar = spread;
+}
+
+std::vector<Record> one_reduced(double error, double bar = 0) {
+  std::vector<Record> records;
+  add(records, reduced("eigenmodes", 8), error, bar, 2.0, 0.5);
+  return records;
+}
+
+SpeedUp only(const std::vector<Record>& records) {
+  const auto all = speed_ups(records, "displacement-error");
+  EXPECT_EQ(all.size(), 1u);
+  return all.at(0);
+}
+
+TEST(SpeedUps, TakesTheCheapestRivalThatIsAsExact) {
+  std::vector<Record> records = one_reduced(0.01);
+  add(records, full(1, {1, 2}, 0.01), 0.02, 0, 1, 0);    // cheap, not exact enough
+  add(records, full(2, {1, 2}, 0.01), 0.01, 0, 20, 1);   // as exact: a tie counts
+  add(records, full(3, {1, 2}, 0.01), 0.001, 0, 50, 0);  // more exact, dearer
+  const SpeedUp result = only(records);
+  ASSERT_EQ(result.rival.size(), 2u);
+  EXPECT_EQ(result.rival[0].contender.resolution.degree, 2);
+  EXPECT_EQ(result.rival[1].metric, "online-time");
+  EXPECT_DOUBLE_EQ(result.ratio, 10);
+  EXPECT_DOUBLE_EQ(result.ratio_low, 19 / 2.5);
+  EXPECT_DOUBLE_EQ(result.ratio_high, 21 / 1.5);
+}
+
+TEST(SpeedUps, OfTwoEquallyCheapRivalsTheMoreExact) {
+  std::vector<Record> records = one_reduced(0.01);
+  add(records, full(1, {1, 2}, 0.01), 0.009, 0, 20, 0);
+  add(records, full(2, {1, 2}, 0.01), 0.002, 0, 20, 0);
+  EXPECT_EQ(only(records).rival.at(0).contender.resolution.degree, 2);
+}
+
+TEST(SpeedUps, NoneReachedIsNoRatio) {
+  std::vector<Record> records = one_reduced(0.01);
+  add(records, full(1, {1, 2}, 0.01), 0.0100001, 0, 1, 0);
+  const SpeedUp result = only(records);
+  EXPECT_TRUE(result.rival.empty());
+  EXPECT_EQ(result.ratio, 0);
+}
+
+TEST(SpeedUps, ErrorsBelowTheirBarCountAsTheBar) {
+  std::vector<Record> records = one_reduced(1e-6, 1e-3);
+  add(records, full(1, {1, 2}, 0.01), 8e-4, 1e-3, 4, 0);  // both count as 1e-3
+  EXPECT_DOUBLE_EQ(only(records).ratio, 2);
+  std::vector<Record> exact = one_reduced(1e-3);
+  add(exact, full(1, {1, 2}, 0.01), 1e-6, 2e-3, 4, 0);  // counts as 2e-3: not reached
+  EXPECT_TRUE(only(exact).rival.empty());
+}
+
+TEST(SpeedUps, FailedRecordsNeitherWinNorLose) {
+  std::vector<Record> records = one_reduced(0.01);
+  add(records, full(1, {1, 2}, 0.01), 0.001, 0, 1, 0);
+  records[2].status = std::string("not_finite");
+  EXPECT_TRUE(only(records).rival.empty());
+  records[2].status = std::string("ok");
+  records[3].status = std::string("failed: timer");
+  EXPECT_TRUE(only(records).rival.empty());
+  records[0].value = std::nan("");
+  EXPECT_TRUE(speed_ups(records, "displacement-error").empty());
+}
+
+TEST(SpeedUps, ComparesOnlyLikeWithLike) {
+  for (int variant = 0; variant < 4; ++variant) {
+    std::vector<Record> records = one_reduced(0.01);
+    add(records, full(1, {1, 2}, 0.01), 0.001, 0, 20, 0);
+    if (variant == 0) records[2].truth = std::string("same_mesh");
+    if (variant == 1) records[2].subject = std::string("another body");
+    for (std::size_t i : {2, 3}) {
+      if (variant == 2) records[i].case_name = std::string("another");
+      if (variant == 3) records[i].profile = std::string("full");
+    }
+    EXPECT_TRUE(only(records).rival.empty()) << variant;
+  }
+}
+
+TEST(SpeedUps, ASpreadAsLargeAsTheTimeLeavesTheRatioOpenAbove) {
+  std::vector<Record> records;
+  add(records, reduced("eigenmodes", 8), 0.01, 0, 1, 1);
+  add(records, full(1, {1, 2}, 0.01), 0.001, 0, 3, 5);
+  EXPECT_TRUE(std::isinf(only(records).ratio_high));
+  EXPECT_EQ(only(records).ratio_low, 0);
+}
+
+TEST(SpeedUps, HeadlineIsTheCheapestWithinTheTarget) {
+  std::vector<Record> records;
+  add(records, reduced("eigenmodes", 4), 0.05, 0, 1, 0);
+  add(records, reduced("eigenmodes", 8), 0.01, 0, 2, 0);
+  add(records, reduced("eigenmodes", 16), 0.001, 0, 3, 0);
+  add(records, full(1, {1, 2}, 0.01), 1e-4, 0, 30, 0);
+  const auto best = cheapest_within(speed_ups(records, "displacement-error"), "finer", 0.01);
+  ASSERT_EQ(best.size(), 1u);
+  EXPECT_EQ(best[0].error.contender.settings.modes, 8);
+  EXPECT_DOUBLE_EQ(median_ratio(best).value(), 15);
+  EXPECT_TRUE(cheapest_within(speed_ups(records, "displacement-error"), "finer", 1e-9).empty());
+  EXPECT_FALSE(median_ratio({}).has_value());
+}
+
+TEST(BreakEven, IsWhereTheTwoCostsMeet) {
+  const double T = break_even(10, 1, 2, 5).value();
+  EXPECT_DOUBLE_EQ(10 + 1 * T, 2 + 5 * T);
+  EXPECT_EQ(break_even(1, 1, 2, 5).value(), 0);  // ahead from the start
+  EXPECT_FALSE(break_even(10, 5, 2, 5).has_value());
+  EXPECT_FALSE(break_even(1, 6, 2, 5).has_value());
+}
+
+}  // namespace
+}  // namespace mb

@@ -1,0 +1,40 @@
+// Files made in the page. Spreadsheets run cells that begin with = + - @: such texts get a leading apostrophe.
+import { announce, make } from './dom';
+import type { Cell, Column } from './report';
+
+export function download(name: string, type: string, text: string): void {
+  const url = URL.createObjectURL(new Blob([text], { type }));
+  const link = make('a', { href: url, download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+  announce(`${name} was saved`);
+}
+
+function csvText(text: string): string {
+  const safe = /^[=+\-@\t\r\n]/.test(text) ? `'${text}` : text;
+  return /[",\r\n]/.test(safe) ? `"${safe.replace(/"/g, '""')}"` : safe;
+}
+
+const label = (column: Column): string => (column.unit ? `${column.name} [${column.unit}]` : column.name);
+const hasBar = (column: Column): boolean => column.kind === 'error' || column.kind === 'time';
+
+export function toCsv(columns: Column[], rows: Cell[][]): string {
+  const head = columns.flatMap((column) =>
+    (hasBar(column) ? [label(column), `${column.name} bar`, `${column.name} status`] : [label(column)]));
+  const lines = rows.map((row) => columns.flatMap((column, j) => {
+    const [text, value, bar, status] = row[j];
+    if (hasBar(column)) return [value == null ? '' : String(value), bar == null ? '' : String(bar), csvText(status ?? '')];
+    return [value == null ? csvText(text) : String(value)];
+  }).join(','));
+  return [head.map(csvText).join(','), ...lines].join('\n') + '\n';
+}
+
+export function toJson(columns: Column[], rows: Cell[][]): string {
+  const objects = rows.map((row) => Object.fromEntries(columns.map((column, j) => {
+    const [text, value, bar, status] = row[j];
+    return [label(column), hasBar(column) ? { value: value ?? null, bar: bar ?? null, status: status ?? '' } : value ?? text];
+  })));
+  return JSON.stringify(objects, null, 1) + '\n';
+}
