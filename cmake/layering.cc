@@ -68,6 +68,9 @@ const std::regex free_header(
     R"(|stop_token|streambuf|string|string_view|strstream|syncstream|system_error|thread|tuple|type_traits|typeindex)"
     R"(|typeinfo|unordered_map|unordered_set|utility|valarray|variant|vector|version)");
 
+// Headers which the build writes, and the folder whose business they are.
+const std::map<std::string, std::string> generated = {{"sources.h", "harness"}};
+
 constexpr int max_lines = 300;  // of one file
 
 struct Source {
@@ -99,6 +102,8 @@ std::string include_violation(const Source& source, const fs::path& root, bool q
   const std::string first = header.substr(0, header.find('/'));
   if (layers.contains(first) && first != header) return project_include(source, header);
   if (quoted) {
+    if (const auto it = generated.find(header); it != generated.end())
+      return project_include(source, it->second + "/" + header);
     const fs::path beside = (fs::path(source.path).parent_path() / header).lexically_normal();
     if (layers.contains(beside.begin()->string()) && fs::exists(root / beside))
       return project_include(source, beside.generic_string());

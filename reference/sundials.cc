@@ -21,25 +21,24 @@ constexpr long max_steps = 2'000'000;
 
 struct Scales { double displacement, velocity; };  // [m], [m/s], both > 0
 
-// Sizes that the motion can reach, in the M norm per root mass: with tau the duration, the response to the peak load
-// and to the initial velocity of  (K + M/tau^2) x = F max|s|,  and the initial state itself.
+// Sizes that the motion can reach, in the M norm per root mass: with T the duration, the initial state and the responses
+// to each load at its peak and to the initial velocity of  (K + M/T^2) x = F max|s|.
 Scales motion_scales(const System& system, double duration) {
   const double mass = system.M.sum() / 3;
   const auto norm = [&](const SparseMatrix& A, const VectorXd& x) { return std::sqrt(x.dot(A * x) / mass); };
   const Shifted quasi_static(system, duration);
-  VectorXd x = VectorXd::Zero(system.u0.size()), z = x;
-  VectorXd f = x;
-  for (Index l = 0; l < system.F.cols(); ++l)
-    f += system.F.col(l).cwiseAbs() * peak(system.s[static_cast<size_t>(l)], duration);
-  quasi_static.solve(f, x);
-  x *= duration * duration;
-  quasi_static.solve(system.M * system.v0, z);
-  const double u = norm(system.M, x) + norm(system.M, system.u0) +
-                   std::sqrt(std::max(0.0, system.v0.dot(system.M * z) / mass)) * duration;
-  const double v = norm(system.K, x) + norm(system.M, x) / duration + norm(system.K, system.u0) +
-                   norm(system.M, system.v0);
-  if (!std::isfinite(u) || !std::isfinite(v)) throw std::runtime_error("sundials: loads or initial state not finite");
-  return {u > 0 ? u : 1, v > 0 ? v : 1};  // nothing moves: any scale serves
+  VectorXd x = VectorXd::Zero(system.u0.size());
+  Scales scale{norm(system.M, system.u0), norm(system.M, system.v0) + norm(system.K, system.u0)};
+  for (Index l = 0; l < system.F.cols(); ++l) {
+    quasi_static.solve(system.F.col(l) * (duration * duration * peak(system.s[static_cast<size_t>(l)], duration)), x);
+    scale.displacement += norm(system.M, x);
+    scale.velocity += norm(system.K, x) + norm(system.M, x) / duration;
+  }
+  quasi_static.solve(system.M * system.v0, x);
+  scale.displacement += std::sqrt(std::max(0.0, system.v0.dot(system.M * x) / mass)) * duration;
+  if (!std::isfinite(scale.displacement) || !std::isfinite(scale.velocity))
+    throw std::runtime_error("sundials: loads or initial state not finite");
+  return {scale.displacement > 0 ? scale.displacement : 1, scale.velocity > 0 ? scale.velocity : 1};  // 1: at rest
 }
 
 // What one run needs at every callback. ARKODE sees it as user data and as the stage solver's content.

@@ -24,20 +24,20 @@ struct CheckResult {
   std::string case_name;
   Check check;
   double value = 0, error_bar = 0;
-  bool measured = false;         // false where no usable record answers it: `status` says what the record says, if any
-  bool holds = false;            // measured, decidable and within its bound
-  bool decidable = true;         // false: the bound lies below the error bar and the value too near to tell
-  std::string status = "ok";     // of the record; "no record" where there is none
+  bool measured = false;      // false where no usable record answers it: `status` says what the record says, if any
+  bool holds = false;         // measured, decidable and within its bound
+  bool decidable = true;      // false: the bound lies below the error bar and the value too near to tell
+  std::string status = "ok";  // of the record; "no record" where there is none
 };
 std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const std::vector<Record>& records);
 
 // For one reduced run: the cheapest full-order contender whose error is at most the reduced run's, by the same metric.
 // No interpolation between runs. Errors below their bar count as the bar. rival empty: none reached that error.
 struct SpeedUp {
-  Record error, time;                      // of the reduced run
-  std::vector<Record> rival;               // {} or {error, time} of the cheapest full-order contender
-  double ratio = 0;                        // [-] rival time / time; 0 where no rival
-  double ratio_low = 0, ratio_high = 0;    // from the spreads of both times
+  Record error, time;                    // of the reduced run
+  std::vector<Record> rival;             // {} or {error, time} of the cheapest full-order contender
+  double ratio = 0;                      // [-] rival time / time; 0 where no rival
+  double ratio_low = 0, ratio_high = 0;  // from the spreads of both times
 };
 std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::string& metric);
 

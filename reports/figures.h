@@ -2,7 +2,8 @@
 // the page.
 //
 // A datum is one contender by one measure: series, run (label), r, r_used, mesh, time_step, unknowns, value, bar, time,
-// spread. What is drawn follows from it inside the specification: shown = max(|value|, bar), hollow where below the bar.
+// spread. What is drawn follows from it inside the specification: shown = max(|value|, bar), hollow where below the
+// bar.
 #pragma once
 
 #include <string>
@@ -25,7 +26,10 @@ std::string title(const Quantity& quantity);  // "relative displacement error, M
 std::vector<std::string> series(const Analysis& analysis);
 
 // Seconds of computing per simulated second where every scene is known, else seconds a run.
-struct TimeAxis { bool per_simulated_second; std::string title; };
+struct TimeAxis {
+  bool per_simulated_second;
+  std::string title;
+};
 TimeAxis time_axis(const Analysis& analysis);
 
 Json run_json(const Analysis& analysis, const Run& run);  // the part of a datum that no measure changes
@@ -33,7 +37,10 @@ Json error_against_modes(const Quantity& quantity, const std::vector<std::string
 Json work_against_precision(const Quantity& quantity, const std::vector<std::string>& series_names,
                             const TimeAxis& axis, Json data);
 
-struct Figure { std::string name; Json specification; };
+struct Figure {
+  std::string name;
+  Json specification;
+};
 std::vector<Figure> figures(const Analysis& analysis);  // every case, profile, truth and quantity that has data
 
 }  // namespace mb

@@ -8,7 +8,8 @@
 
 namespace mb {
 
-// At most `digits` significant digits; powers of ten outside [1e-3, 1e5): 0.0123, 123, 4.56e-5. Not finite: "not finite".
+// At most `digits` significant digits; powers of ten outside [1e-3, 1e5): 0.0123, 123, 4.56e-5. Not finite: "not
+// finite".
 std::string format_number(double value, int digits = 3);
 
 // A number that somebody chose: no more digits than it has, at most six. 0.0025, 1e-6.

@@ -14,8 +14,8 @@ std::string markdown_text(std::string_view text);  // for a cell, a heading or a
 std::string markdown_code(std::string_view text);  // as inline code, where escapes do not work
 std::string markdown(const Sheet& table);          // without its title
 
-// RFC 4180 with \n; numbers at full precision; error columns are followed by their bar and status. Text that begins with
-// = + - @ or a control character gets a leading apostrophe, which spreadsheets drop.
+// RFC 4180 with \n; numbers at full precision; error columns are followed by their bar and status. Text that begins
+// with = + - @ or a control character gets a leading apostrophe, which spreadsheets drop.
 std::string csv_text(std::string_view text);
 std::string csv(const Sheet& table);
 

@@ -21,9 +21,9 @@ struct Measure {
 struct Run {
   std::string case_name, profile;
   Contender contender;
-  int modes_used = -1;                 // elastic modes; -1: full order
-  long n_unknowns = 0;                 // degrees of freedom stepped in time
-  std::map<Measure, Record> measures;  // all but the times
+  int modes_used = -1;                    // elastic modes; -1: full order
+  long n_unknowns = 0;                    // degrees of freedom stepped in time
+  std::map<Measure, Record> measures;     // all but the times
   std::optional<Record> online, offline;  // [s]
 };
 
@@ -33,10 +33,10 @@ std::vector<Run> group_runs(const std::vector<Record>& records);
 
 bool same_contender(const Contender& a, const Contender& b);
 bool is_reduced(const Contender& contender);
-bool is_time(const std::string& metric);                // online-time, offline-time
-bool is_usable(const Record& record);                   // status ok and a finite value
-double counted_error(const Record& record);             // |value|, or the error bar where that is larger
-std::string describe(const Contender& contender);       // "eigenmodes, r = 8", "Q2 1x4, newmark, step 1.25e-3 s"
+bool is_time(const std::string& metric);                  // online-time, offline-time
+bool is_usable(const Record& record);                     // status ok and a finite value
+double counted_error(const Record& record);               // |value|, or the error bar where that is larger
+std::string describe(const Contender& contender);         // "eigenmodes, r = 8", "Q2 1x4, newmark, step 1.25e-3 s"
 std::string describe_series(const Contender& contender);  // as drawn: "eigenmodes", "full order Q2, newmark"
 
 }  // namespace mb

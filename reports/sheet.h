@@ -1,4 +1,5 @@
-// A table as a value (a Table is a load history): made once from the records, printed as Markdown, CSV, LaTeX and by the page.
+// A table as a value (mb::Table is a load history): made once from the records, printed as Markdown, CSV, LaTeX and
+// by the page.
 #pragma once
 
 #include <optional>
@@ -33,7 +34,7 @@ struct Sheet {
 Cell text_cell(std::string text);
 Cell count_cell(long value);
 Cell number_cell(std::optional<double> value);  // "" where none
-Cell setting_cell(double value);                 // all digits that were chosen
+Cell setting_cell(double value);                // all digits that were chosen
 Cell record_cell(const Record* record);         // "" where none, "failed (...)" where its status is not ok
 
 // Without the columns that are empty in every row.

@@ -115,13 +115,14 @@ Sheet records_table(const Analysis& analysis) {
                    {"solves", "", Kind::number}};
   for (const Record& record : analysis.input.records) {
     const Contender& contender = record.contender;
-    table.rows.push_back(
-        {text_cell(record.run), text_cell(record.case_name), text_cell(record.profile), text_cell(contender.method),
-         text_cell(contender.integrator), text_cell(to_string(contender.resolution)),
-         count_cell(contender.settings.modes), count_cell(record.modes_used), setting_cell(contender.settings.time_step),
-         setting_cell(contender.settings.relative_tolerance), count_cell(record.n_unknowns), text_cell(record.metric),
-         text_cell(record.subject), text_cell(record.truth), record_cell(&record), text_cell(record.unit),
-         count_cell(record.work.steps), count_cell(record.work.factorisations), count_cell(record.work.solves)});
+    table.rows.push_back({text_cell(record.run), text_cell(record.case_name), text_cell(record.profile),
+                          text_cell(contender.method), text_cell(contender.integrator),
+                          text_cell(to_string(contender.resolution)), count_cell(contender.settings.modes),
+                          count_cell(record.modes_used), setting_cell(contender.settings.time_step),
+                          setting_cell(contender.settings.relative_tolerance), count_cell(record.n_unknowns),
+                          text_cell(record.metric), text_cell(record.subject), text_cell(record.truth),
+                          record_cell(&record), text_cell(record.unit), count_cell(record.work.steps),
+                          count_cell(record.work.factorisations), count_cell(record.work.solves)});
   }
   return table;
 }

@@ -19,11 +19,12 @@ Json legend() {
   return {{"title", nullptr}, {"orient", "bottom"}, {"columns", 3}, {"symbolSize", 70}, {"labelLimit", 320}};
 }
 
-Json channel(const std::vector<std::string>& names, const auto& cycle, const Json& channel_legend) {
-  return {{"field", "series"}, {"type", "nominal"}, {"scale", scale(names, cycle)}, {"legend", channel_legend}};
+// Every channel names the same legend: Vega-Lite merges them into one.
+Json channel(const std::vector<std::string>& names, const auto& cycle) {
+  return {{"field", "series"}, {"type", "nominal"}, {"scale", scale(names, cycle)}, {"legend", legend()}};
 }
 
-Json colour(const std::vector<std::string>& names) { return channel(names, palette, nullptr); }
+Json colour(const std::vector<std::string>& names) { return channel(names, palette); }
 
 // Whole powers of ten get a grid line and a label, 10 with an exponent; the ticks between get neither.
 constexpr const char* is_power_of_ten = "abs(log(datum.value)/LN10 - round(log(datum.value)/LN10)) < 1e-6";
@@ -73,9 +74,9 @@ Json points(const Json& x, const Json& y, const std::vector<std::string>& names,
           {"encoding",
            {{"x", x},
             {"y", y},
-            {"fill", channel(names, palette, legend())},
+            {"fill", colour(names)},
             {"stroke", colour(names)},
-            {"shape", channel(names, shapes, legend())},
+            {"shape", channel(names, shapes)},
             {"fillOpacity", {{"condition", {{"test", "datum.below"}, {"value", 0}}}, {"value", 1}}},
             {"tooltip", std::move(tip)}}}};
 }

@@ -1,5 +1,6 @@
 #include "reports/verdict.h"
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -76,6 +77,15 @@ std::string failure_sentence(const Analysis& analysis, Verdict& verdict) {
   return text + ".";
 }
 
+// Names from a store are untrusted, and readers paste commands into a shell: only plain words become part of one.
+bool is_plain_word(const std::string& text) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+           c == '.';
+  };
+  return !text.empty() && text.size() <= 64 && text[0] != '-' && std::all_of(text.begin(), text.end(), is_plain);
+}
+
 }  // namespace
 
 Verdict verdict_of(const Analysis& analysis) {
@@ -84,7 +94,7 @@ Verdict verdict_of(const Analysis& analysis) {
   if (analysis.input.records.empty()) {
     verdict.sentences.push_back(
         "There are no records: nothing has been run, or the store is empty. "
-        "Run `modalbench run` first.");
+        "Run modalbench run first.");
   }
   verdict.sentences.push_back(checks_sentence(verdict));
   verdict.at_target = cheapest_within(analysis.speed_ups, headline_truth, error_target);
@@ -119,11 +129,11 @@ std::vector<Definition> definitions(const Analysis& analysis) {
        "Wall clock of everything before: assembly, factorisation, eigenproblem; counted on both sides."},
       {"speed-up",
        "Online time of the cheapest full-order contender whose error is at most that of the reduced run, "
-       "over the online time of the reduced run; no interpolation between runs. `none reached`: no "
+       "over the online time of the reduced run; no interpolation between runs. None reached: no "
        "full-order contender of the sweep reaches that error."},
       {"break-even",
        "Simulated seconds after which offline plus online time of the reduced run falls below that of "
-       "its rival; `never` where its online time is not the smaller one."},
+       "its rival; never where its online time is not the smaller one."},
       {"check",
        "A bound that the case file sets. It is not decidable where the bound lies below the error bar and the "
        "measured value is nearer to it than that bar."}};
@@ -134,12 +144,16 @@ std::vector<Definition> definitions(const Analysis& analysis) {
 std::vector<std::string> reproducing_commands(const Analysis& analysis) {
   std::vector<std::string> commands;
   const auto& environment = analysis.input.environment;
-  if (const auto commit = environment.find("commit"); commit != environment.end()) {
+  const auto commit = environment.find("commit");
+  if (commit != environment.end() && is_plain_word(commit->second)) {
     commands.push_back("git checkout " + commit->second);
   }
   std::set<std::pair<std::string, std::string>> cases;
   for (const Record& record : analysis.input.records) cases.insert({record.case_name, record.profile});
-  for (const auto& [name, profile] : cases) commands.push_back("modalbench run " + name + " --profile " + profile);
+  for (const auto& [name, profile] : cases) {
+    if (!is_plain_word(name) || !is_plain_word(profile)) continue;
+    commands.push_back("modalbench run " + name + " --profile " + profile);
+  }
   commands.push_back("modalbench report");
   return commands;
 }

@@ -9,7 +9,7 @@
 
 namespace mb {
 
-inline constexpr double error_target = 0.01;                        // [-] of the headline, tables and figures
+inline constexpr double error_target = 0.01;                          // [-] of the headline, tables and figures
 inline constexpr const char* headline_metric = "displacement-error";  // M norm
 inline constexpr const char* headline_truth = "finer";
 
@@ -24,17 +24,18 @@ Analysis analyse(const ReportInput& input);
 
 const Scene* scene_of(const Analysis& analysis, const std::string& case_name, const std::string& profile);
 const Run* run_of(const Analysis& analysis, const Record& record);
-std::optional<double> simulated_seconds(const Analysis& analysis, const Run& run);  // [s]; none where the scene is unknown
+std::optional<double> simulated_seconds(const Analysis& analysis,
+                                        const Run& run);  // [s]; none where the scene is unknown
 
 Cell ratio_cell(const SpeedUp& speed_up);  // "354 (340 to 370)", "none reached"
 
 Sheet checks_table(const Analysis& analysis);
-Sheet reduced_table(const Analysis& analysis);    // error against r
-Sheet rivals_table(const Analysis& analysis);     // full-order contenders
-Sheet contenders_table(const Analysis& analysis); // both, with speed-up: the page's table
+Sheet reduced_table(const Analysis& analysis);     // error against r
+Sheet rivals_table(const Analysis& analysis);      // full-order contenders
+Sheet contenders_table(const Analysis& analysis);  // both, with speed-up: the page's table
 Sheet speed_up_table(const Analysis& analysis);
 Sheet probes_table(const Analysis& analysis);
 Sheet failures_table(const Analysis& analysis);
-Sheet records_table(const Analysis& analysis);    // one row a record
+Sheet records_table(const Analysis& analysis);  // one row a record
 
 }  // namespace mb

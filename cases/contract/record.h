@@ -21,18 +21,18 @@ struct Contender {
 };
 
 struct Record {
-  std::string run;         // content hash of scene and contender: names the trajectory file
+  std::string run;  // content hash of scene and contender: names the trajectory file
   std::string case_name, profile;
   Contender contender;
-  int modes_used = -1;     // elastic modes kept, after rounding up; -1: not modal
-  long n_unknowns = 0;     // degrees of freedom stepped in time
-  std::string metric;      // a name of the metric catalogue
-  std::string subject;     // body or probe that was measured, or ""
-  std::string truth;       // "finer", "same_mesh", or "" where the metric needs none (times)
-  double value = 0;        // where not finite stored as null, and then with a status other than "ok"
+  int modes_used = -1;  // elastic modes kept, after rounding up; -1: not modal
+  long n_unknowns = 0;  // degrees of freedom stepped in time
+  std::string metric;   // a name of the metric catalogue
+  std::string subject;  // body or probe that was measured, or ""
+  std::string truth;    // "finer", "same_mesh", or "" where the metric needs none (times)
+  double value = 0;     // where not finite stored as null, and then with a status other than "ok"
   std::string unit;
   std::optional<double> error_bar;  // same unit; a value below it prints as "<= bar"
-  std::string status;      // "ok", "not_finite", "no_convergence", "too_many_steps", "undefined: ...", "failed: ..."
+  std::string status;  // "ok", "not_finite", "no_convergence", "too_many_steps", "undefined: ...", "failed: ..."
   Work work;
   std::map<std::string, std::string> provenance;  // commit, date, profile, processor, threads, blas, compiler
 };

@@ -26,7 +26,7 @@ void require_profile(const std::string& profile) {
 
 Scene read_toml(const std::filesystem::path& file, const Vocabulary& vocabulary, const std::string& profile) {
   require_profile(profile);
-  const FileText content = read_file(file, most_bytes);
+  const FileText content = read_text_file(file, most_bytes);
   if (!content.problem.empty()) {
     Findings findings(file.string(), "");
     findings.error({}, "this is no case file: " + content.problem);

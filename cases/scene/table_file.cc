@@ -50,7 +50,7 @@ bool is_header(std::string_view line) {
 
 }  // namespace
 
-FileText read_file(const fs::path& file, std::size_t most) {
+FileText read_text_file(const fs::path& file, std::size_t most) {
   std::error_code failed;
   const auto status = fs::status(file, failed);
   if (!fs::exists(status)) return {"", "there is no such file"};
@@ -71,7 +71,7 @@ TableFile read_table_file(const fs::path& folder, const std::string& path, std::
   if (shown != path) return {{}, fmt::format("'{}' holds characters that do not print", shown)};
   const auto file = below(folder, path);
   if (!file) return {{}, fmt::format("'{}' does not lie below the case's folder", shown)};
-  const FileText content = read_file(*file, most_bytes);
+  const FileText content = read_text_file(*file, most_bytes);
   if (!content.problem.empty()) return {{}, fmt::format("'{}': {}", shown, content.problem)};
   Table table;
   int n_lines = 0;

@@ -21,6 +21,6 @@ TableFile read_table_file(const std::filesystem::path& folder, const std::string
 struct FileText {
   std::string text, problem;
 };
-FileText read_file(const std::filesystem::path& file, std::size_t most_bytes);
+FileText read_text_file(const std::filesystem::path& file, std::size_t most_bytes);
 
 }  // namespace mb

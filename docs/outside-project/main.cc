@@ -1,31 +1,45 @@
 // Modalbench with one more contender, "at-rest": u(x, t) = 0, whose relative error is 1 by definition of the measure.
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "harness/catalogue.h"
 #include "harness/main.h"
 
 namespace {
 
-class AtRest final : public mb::Method, public mb::Prepared {
+class PreparedAtRest final : public mb::Prepared {
  public:
-  std::string name() const override { return "at-rest"; }
-  std::string doc() const override { return "stays undeformed: the error which any method must beat"; }
-  std::unique_ptr<mb::Prepared> prepare(const mb::Model& model, const mb::Settings&, const mb::Integrator&) const override {
-    auto prepared = std::make_unique<AtRest>();
-    for (const mb::BodyModel& body : model.bodies) prepared->points_.push_back(body.points);
-    return prepared;
-  }
+  explicit PreparedAtRest(std::vector<mb::EvaluationPoints> points) : points_(std::move(points)) {}
 
   mb::Index n_unknowns() const override { return 0; }
+
   mb::Trajectory simulate(const mb::Sampling& sampling) const override {
-    mb::Trajectory answer{.t = sampling.t};
     const mb::Index n_t = sampling.t.size();
+    mb::Trajectory answer;
+    answer.t = sampling.t;
     for (const mb::EvaluationPoints& points : points_)
-      answer.bodies.push_back({.displacement = mb::MatrixXd::Zero(3 * points.size(), n_t),
-                               .strain = mb::MatrixXd::Zero(6 * points.volume.weights.size(), sampling.strain ? n_t : 0)});
+      answer.bodies.push_back(
+          {.displacement = mb::MatrixXd::Zero(3 * points.size(), n_t),
+           .strain = mb::MatrixXd::Zero(6 * points.volume.weights.size(), sampling.strain ? n_t : 0)});
     return answer;
   }
 
  private:
   std::vector<mb::EvaluationPoints> points_;  // of each body
+};
+
+class AtRest final : public mb::Method {
+ public:
+  std::string name() const override { return "at-rest"; }
+  std::string doc() const override { return "stays undeformed: the error which any method must beat"; }
+
+  std::unique_ptr<mb::Prepared> prepare(const mb::Model& model, const mb::Settings&,
+                                        const mb::Integrator&) const override {
+    std::vector<mb::EvaluationPoints> points;
+    for (const mb::BodyModel& body : model.bodies) points.push_back(body.points);
+    return std::make_unique<PreparedAtRest>(std::move(points));
+  }
 };
 
 }  // namespace

@@ -36,7 +36,8 @@ Setting setting() {
   };
   s.points.volume = {scattered(n_volume), VectorXd::Random(n_volume).array() + 1.5};
   s.points.surface = {scattered(n_surface), VectorXd::Ones(n_surface)};
-  s.points.probes = Vector3d(0, 0, 0.2);
+  s.points.probes = Matrix3Xd::Zero(3, 1);
+  s.points.probes(2, 0) = 0.2;
   return s;
 }
 

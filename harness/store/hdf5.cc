@@ -265,7 +265,7 @@ std::string image_of(const Hdf5Content& content, unsigned deflate) {
 
 std::string to_hdf5(const Hdf5Content& content) {
   quiet_and_closed();
-  for (const unsigned deflate : {4, 6, 1, 9}) {
+  for (const unsigned deflate : {1, 4, 6, 9}) {
     // Compressed values hold a signature of what readers refuse by chance, once in some 10^8 bytes.
     const std::string bytes = image_of(content, deflate);
     if (refused_structure(bytes).empty()) return bytes;

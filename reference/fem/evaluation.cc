@@ -23,7 +23,7 @@ struct Location {
 
 Location locate(const Discretisation& d, const Cell& cell, const Point& x) {
   constexpr double nowhere = std::numeric_limits<double>::infinity();
-  if (!cell->bounding_box().point_inside(x, 0.5)) return {{}, nowhere};  // half a cell of slack: curved faces bulge
+  if (!cell->bounding_box().point_inside(x, 1)) return {{}, nowhere};  // a cell's size of slack: curved faces bulge
   try {
     const Point xi = d.mapping.transform_real_to_unit_cell(cell, x);
     double outside = 0;

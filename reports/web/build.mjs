@@ -13,8 +13,16 @@ const here = dirname(fileURLToPath(import.meta.url));
 const out = process.argv[2] ?? join(here, 'out');
 
 async function bundle(entry, options = {}) {
-  const result = await build({ entryPoints: [join(here, entry)], bundle: true, minify: true, write: false,
-    charset: 'utf8', legalComments: 'none', logLevel: 'warning', ...options });
+  const result = await build({
+    entryPoints: [join(here, entry)],
+    bundle: true,
+    minify: true,
+    write: false,
+    charset: 'utf8',
+    legalComments: 'none',
+    logLevel: 'warning',
+    ...options,
+  });
   return result.outputFiles[0].text.trim();
 }
 
@@ -41,18 +49,23 @@ function literal(text) {
 
 const script = await bundle('src/main.ts', { format: 'iife', target: 'es2020' });
 const style = await bundle('src/style.css');
-for (const [name, text] of [['script', script], ['style', style]]) {
+for (const [name, text] of [
+  ['script', script],
+  ['style', style],
+]) {
   if (/<\/(script|style)|<!--/i.test(text)) throw new Error(`the ${name} would end its own element`);
 }
-const policy = `default-src 'none'; script-src ${hash(script)}; style-src ${hash(style)}; img-src data: blob:; ` +
+const policy =
+  `default-src 'none'; script-src ${hash(script)}; style-src ${hash(style)}; img-src data: blob:; ` +
   `base-uri 'none'; form-action 'none'`;
-const page = fill(readFileSync(join(here, 'src/page.html'), 'utf8'),
-  { POLICY: policy, STYLE: style, SCRIPT: script });
+const page = fill(readFileSync(join(here, 'src/page.html'), 'utf8'), { POLICY: policy, STYLE: style, SCRIPT: script });
 
 mkdirSync(out, { recursive: true });
 writeFileSync(join(out, 'page.html'), page);
 const { text, length } = literal(page);
-writeFileSync(join(out, 'page_template.cc'), `// Made by reports/web/build.mjs.
+writeFileSync(
+  join(out, 'page_template.cc'),
+  `// Made by reports/web/build.mjs.
 #include "reports/page.h"
 
 namespace mb {
@@ -62,4 +75,5 @@ ${text};
 }  // namespace
 std::string_view page_template() { return {text, ${length}}; }
 }  // namespace mb
-`);
+`,
+);

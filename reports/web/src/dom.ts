@@ -3,7 +3,10 @@
 type Attributes = Record<string, string | boolean | undefined>;
 
 export function make<K extends keyof HTMLElementTagNameMap>(
-  tag: K, attributes: Attributes = {}, ...children: (Node | string)[]): HTMLElementTagNameMap[K] {
+  tag: K,
+  attributes: Attributes = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === false) continue;
@@ -19,4 +22,6 @@ export function byId(id: string): HTMLElement {
   return element;
 }
 
-export function announce(text: string): void { byId('status').textContent = text; }
+export function announce(text: string): void {
+  byId('status').textContent = text;
+}

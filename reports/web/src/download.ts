@@ -22,19 +22,32 @@ const hasBar = (column: Column): boolean => column.kind === 'error' || column.ki
 
 export function toCsv(columns: Column[], rows: Cell[][]): string {
   const head = columns.flatMap((column) =>
-    (hasBar(column) ? [label(column), `${column.name} bar`, `${column.name} status`] : [label(column)]));
-  const lines = rows.map((row) => columns.flatMap((column, j) => {
-    const [text, value, bar, status] = row[j];
-    if (hasBar(column)) return [value == null ? '' : String(value), bar == null ? '' : String(bar), csvText(status ?? '')];
-    return [value == null ? csvText(text) : String(value)];
-  }).join(','));
+    hasBar(column) ? [label(column), `${column.name} bar`, `${column.name} status`] : [label(column)],
+  );
+  const lines = rows.map((row) =>
+    columns
+      .flatMap((column, j) => {
+        const [text, value, bar, status] = row[j];
+        if (hasBar(column))
+          return [value == null ? '' : String(value), bar == null ? '' : String(bar), csvText(status ?? '')];
+        return [value == null ? csvText(text) : String(value)];
+      })
+      .join(','),
+  );
   return [head.map(csvText).join(','), ...lines].join('\n') + '\n';
 }
 
 export function toJson(columns: Column[], rows: Cell[][]): string {
-  const objects = rows.map((row) => Object.fromEntries(columns.map((column, j) => {
-    const [text, value, bar, status] = row[j];
-    return [label(column), hasBar(column) ? { value: value ?? null, bar: bar ?? null, status: status ?? '' } : value ?? text];
-  })));
+  const objects = rows.map((row) =>
+    Object.fromEntries(
+      columns.map((column, j) => {
+        const [text, value, bar, status] = row[j];
+        return [
+          label(column),
+          hasBar(column) ? { value: value ?? null, bar: bar ?? null, status: status ?? '' } : (value ?? text),
+        ];
+      }),
+    ),
+  );
   return JSON.stringify(objects, null, 1) + '\n';
 }

@@ -9,42 +9,76 @@ import { TableView } from './table';
 import { drawVerdict } from './verdict';
 
 // A section without rows says so rather than showing an empty grid; sections that would only say "none" go.
-function tableSection(report: Report, name: string, empty: string | null, make_: (table: Table) => TableView): TableView | null {
-  const section = byId(name), table = report.tables[name];
+function tableSection(
+  report: Report,
+  name: string,
+  empty: string | null,
+  make_: (table: Table) => TableView,
+): TableView | null {
+  const section = byId(name),
+    table = report.tables[name];
   if (table.rows.length) {
     const view = make_(table);
     section.append(view.element);
     return view;
   }
-  if (empty) section.append(make('p', { class: 'empty' }, empty)); else section.remove();
+  if (empty) section.append(make('p', { class: 'empty' }, empty));
+  else section.remove();
   return null;
 }
 
 function drawCases(report: Report): void {
   const section = byId('cases');
-  if (!report.cases.length) { section.remove(); return; }
+  if (!report.cases.length) {
+    section.remove();
+    return;
+  }
   for (const one of report.cases) {
-    section.append(make('article', {}, make('h3', {}, one.title || one.name), make('p', { class: 'mono' },
-      `${one.name} · profile ${one.profile} · ${one.duration} s · ${one.frame_rate} frames/s · ${one.samples_per_second} samples/s`),
-    make('p', {}, one.purpose), ...(one.source ? [make('p', { class: 'note' }, `Source: ${one.source}`)] : [])));
+    section.append(
+      make(
+        'article',
+        {},
+        make('h3', {}, one.title || one.name),
+        make(
+          'p',
+          { class: 'mono' },
+          `${one.name} · profile ${one.profile} · ${one.duration} s · ${one.frame_rate} frames/s · ` +
+            `${one.samples_per_second} samples/s`,
+        ),
+        make('p', {}, one.purpose),
+        ...(one.source ? [make('p', { class: 'note' }, `Source: ${one.source}`)] : []),
+      ),
+    );
   }
 }
 
 function drawDefinitions(report: Report): void {
-  byId('definitions').append(make('dl', { class: 'definitions' }, ...report.definitions.flatMap(([term, text]) =>
-    [make('dt', {}, term), make('dd', {}, text)])));
+  byId('definitions').append(
+    make(
+      'dl',
+      { class: 'definitions' },
+      ...report.definitions.flatMap(([term, text]) => [make('dt', {}, term), make('dd', {}, text)]),
+    ),
+  );
 }
 
 function drawEnvironment(report: Report): void {
   const section = byId('environment');
-  section.append(make('dl', { class: 'environment' }, ...Object.entries(report.environment).flatMap(([key, value]) =>
-    [make('dt', {}, key), make('dd', {}, value)])));
+  section.append(
+    make(
+      'dl',
+      { class: 'environment' },
+      ...Object.entries(report.environment).flatMap(([key, value]) => [make('dt', {}, key), make('dd', {}, value)]),
+    ),
+  );
   section.append(make('h3', {}, 'To reproduce'), make('pre', { tabindex: '0' }, report.commands.join('\n')));
 }
 
 function start(): void {
-  const report = readReport(), state = new State();
+  const report = readReport(),
+    state = new State();
   drawVerdict(report);
+  byId('plots').hidden = report.plots.runs.length === 0;
   const selectors = new Selectors(report, state);
   const ofChoice = (row: Cell[]): boolean => {
     const choice = selectors.choice();
@@ -52,8 +86,18 @@ function start(): void {
   };
   const common = { choose: ofChoice, hide: ['case', 'profile', 'truth'] };
   const views = [
-    tableSection(report, 'contenders', 'No contender has been graded.', (table) => new TableView(table, { ...common, state, filter: true })),
-    tableSection(report, 'speed-up', 'No reduced run has both an error and a time.', (table) => new TableView(table, common)),
+    tableSection(
+      report,
+      'contenders',
+      'No contender has been graded.',
+      (table) => new TableView(table, { ...common, state, filter: true }),
+    ),
+    tableSection(
+      report,
+      'speed-up',
+      'No reduced run has both an error and a time.',
+      (table) => new TableView(table, common),
+    ),
     tableSection(report, 'checks', 'No case states a check.', (table) => new TableView(table)),
     tableSection(report, 'probes', null, (table) => new TableView(table, common)),
     tableSection(report, 'failures', null, (table) => new TableView(table)),
@@ -64,10 +108,13 @@ function start(): void {
 
   let drawn = '';
   const drawChosen = (force = false): void => {
+    if (!report.plots.runs.length) return;
     const choice = JSON.stringify(selectors.choice());
     if (!force && choice === drawn) return;
     drawn = choice;
-    void drawPlots(report, selectors.choice()).then(() => { document.documentElement.dataset.ready = choice; });
+    void drawPlots(report, selectors.choice()).then(() => {
+      document.documentElement.dataset.ready = choice;
+    });
   };
   state.onChange(() => {
     selectors.follow();
@@ -77,7 +124,8 @@ function start(): void {
     drawChosen();
   });
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => drawChosen(true));
-  let width = innerWidth, timer = 0;
+  let width = innerWidth,
+    timer = 0;
   addEventListener('resize', () => {
     if (innerWidth === width) return;
     width = innerWidth;

@@ -3,7 +3,12 @@ import { byId, make } from './dom';
 import type { Report } from './report';
 import type { State } from './state';
 
-export interface Choice { case: string; profile: string; quantity: number; truth: number }
+export interface Choice {
+  case: string;
+  profile: string;
+  quantity: number;
+  truth: number;
+}
 
 const groupName = (name: string, profile: string): string => `${name} (${profile})`;
 
@@ -11,23 +16,42 @@ export class Selectors {
   private groups: { case: string; profile: string; name: string }[] = [];
   private menus: Record<'case' | 'norm' | 'truth', HTMLSelectElement>;
 
-  constructor(private report: Report, private state: State) {
+  constructor(
+    private report: Report,
+    private state: State,
+  ) {
     for (const run of report.plots.runs) {
       const name = groupName(run.case, run.profile);
-      if (!this.groups.some((group) => group.name === name)) this.groups.push({ case: run.case, profile: run.profile, name });
+      if (!this.groups.some((group) => group.name === name))
+        this.groups.push({ case: run.case, profile: run.profile, name });
     }
-    const norms = report.plots.quantities.map((one) => [one.subject ? `${one.metric}:${one.subject}` : one.metric, one.title]);
+    const norms = report.plots.quantities.map((one) => [
+      one.subject ? `${one.metric}:${one.subject}` : one.metric,
+      one.title,
+    ]);
     this.menus = {
-      case: this.menu('case', 'Case', this.groups.map((group) => [group.name, group.name])),
+      case: this.menu(
+        'case',
+        'Case',
+        this.groups.map((group) => [group.name, group.name]),
+      ),
       norm: this.menu('norm', 'Norm', norms),
-      truth: this.menu('truth', 'Truth', report.plots.truths.map((truth) => [truth, truth])),
+      truth: this.menu(
+        'truth',
+        'Truth',
+        report.plots.truths.map((truth) => [truth, truth]),
+      ),
     };
     byId('selectors').addEventListener('submit', (event) => event.preventDefault());
     this.follow();
   }
 
   private menu(key: 'case' | 'norm' | 'truth', label: string, options: string[][]): HTMLSelectElement {
-    const select = make('select', { id: `select-${key}` }, ...options.map(([value, text]) => make('option', { value }, text)));
+    const select = make(
+      'select',
+      { id: `select-${key}` },
+      ...options.map(([value, text]) => make('option', { value }, text)),
+    );
     select.addEventListener('change', () => this.state.set({ [key]: select.value }));
     byId('selectors').append(make('label', { for: select.id }, label), select);
     return select;
@@ -36,7 +60,8 @@ export class Selectors {
   // The hash may come from anywhere: what it names and is not on offer leaves the first choice.
   follow(): void {
     for (const key of ['case', 'norm', 'truth'] as const) {
-      const wanted = this.state.get(key), select = this.menus[key];
+      const wanted = this.state.get(key),
+        select = this.menus[key];
       const known = [...select.options].some((option) => option.value === wanted);
       if (select.options.length) select.value = known ? wanted : select.options[0].value;
     }
@@ -44,9 +69,15 @@ export class Selectors {
 
   choice(): Choice {
     const group = this.groups[Math.max(0, this.menus.case.selectedIndex)];
-    return { case: group?.case ?? '', profile: group?.profile ?? '',
-      quantity: Math.max(0, this.menus.norm.selectedIndex), truth: Math.max(0, this.menus.truth.selectedIndex) };
+    return {
+      case: group?.case ?? '',
+      profile: group?.profile ?? '',
+      quantity: Math.max(0, this.menus.norm.selectedIndex),
+      truth: Math.max(0, this.menus.truth.selectedIndex),
+    };
   }
 
-  truthName(): string { return this.report.plots.truths[this.choice().truth] ?? ''; }
+  truthName(): string {
+    return this.report.plots.truths[this.choice().truth] ?? '';
+  }
 }

@@ -15,17 +15,24 @@ export class State {
     });
   }
 
-  get(key: string): string { return this.values.get(key) ?? ''; }
+  get(key: string): string {
+    return this.values.get(key) ?? '';
+  }
 
   set(changes: Record<string, string>): void {
     for (const [key, value] of Object.entries(changes)) {
-      if (value) this.values.set(key, value); else this.values.delete(key);
+      if (value) this.values.set(key, value);
+      else this.values.delete(key);
     }
     history.replaceState(null, '', `#${this.values.toString()}`);
     this.tell();
   }
 
-  onChange(listener: () => void): void { this.listeners.push(listener); }
+  onChange(listener: () => void): void {
+    this.listeners.push(listener);
+  }
 
-  private tell(): void { for (const listener of this.listeners) listener(); }
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
 }

@@ -6,11 +6,15 @@ import type { State } from './state';
 
 // Shown marks: never colour alone.
 const marks: Record<string, [symbol: string, className: string]> = {
-  yes: ['✔', 'good'], no: ['✘', 'bad'], holds: ['✔', 'good'], 'does not hold': ['✘', 'bad'],
+  yes: ['✔', 'good'],
+  no: ['✘', 'bad'],
+  holds: ['✔', 'good'],
+  'does not hold': ['✘', 'bad'],
 };
 
 function compare(a: Cell, b: Cell): number {
-  const x = a[1], y = b[1];
+  const x = a[1],
+    y = b[1];
   if (x != null && y != null) return x - y;
   if (x != null) return -1;
   if (y != null) return 1;
@@ -20,7 +24,11 @@ function compare(a: Cell, b: Cell): number {
 function body(column: Column, cell: Cell): HTMLTableCellElement {
   const [text] = cell;
   const failed = text.startsWith('failed') || text === 'not measured' || text.startsWith('not decidable');
-  const element = make('td', { class: `${column.kind}${failed ? ' bad' : ''}${text === 'none reached' ? ' faint' : ''}${text.length > 42 ? ' long' : ''}` });
+  const element = make('td', {
+    class: [column.kind, failed && 'bad', text === 'none reached' && 'faint', text.length > 42 && 'long']
+      .filter(Boolean)
+      .join(' '),
+  });
   const mark = marks[text];
   if (mark) {
     element.classList.add(mark[1]);
@@ -31,22 +39,40 @@ function body(column: Column, cell: Cell): HTMLTableCellElement {
   return element;
 }
 
-export interface TableOptions { state?: State; choose?: (row: Cell[]) => boolean; hide?: string[]; filter?: boolean }
+export interface TableOptions {
+  state?: State;
+  choose?: (row: Cell[]) => boolean;
+  hide?: string[];
+  filter?: boolean;
+}
 
 export class TableView {
   readonly element: HTMLElement;
   private head = make('thead');
   private rows = make('tbody');
   private count = make('p', { class: 'count' });
-  private input = make('input', { type: 'search', placeholder: 'filter, e.g. static 32', 'aria-label': 'Filter rows by words' });
+  private input = make('input', {
+    type: 'search',
+    placeholder: 'filter, e.g. static 32',
+    'aria-label': 'Filter rows by words',
+  });
   private sort = { column: '', descending: false };
 
-  constructor(private table: Table, private options: TableOptions = {}) {
+  constructor(
+    private table: Table,
+    private options: TableOptions = {},
+  ) {
     const grid = make('table', {}, make('caption', { class: 'unseen' }, table.title), this.head, this.rows);
-    const tools = make('div', { class: 'tools' }, ...(options.filter ? [this.input] : []),
+    const tools = make(
+      'div',
+      { class: 'tools' },
+      ...(options.filter ? [this.input] : []),
       this.button('CSV', () => download(`${table.name}.csv`, 'text/csv', toCsv(this.columns(), this.visible()))),
-      this.button('JSON', () => download(`${table.name}.json`, 'application/json', toJson(this.columns(), this.visible()))),
-      this.count);
+      this.button('JSON', () =>
+        download(`${table.name}.json`, 'application/json', toJson(this.columns(), this.visible())),
+      ),
+      this.count,
+    );
     const scroller = make('div', { class: 'scroller', tabindex: '0', role: 'region', 'aria-label': table.title }, grid);
     this.element = make('div', { class: 'table' }, tools, scroller);
     if (table.note) this.element.append(make('p', { class: 'note' }, table.note));
@@ -55,33 +81,50 @@ export class TableView {
   }
 
   private button(text: string, action: () => void): HTMLButtonElement {
-    const button = make('button', { type: 'button', 'data-format': text.toLowerCase(),
-      'aria-label': `Download ${this.table.title} as ${text}` }, text);
+    const button = make(
+      'button',
+      { type: 'button', 'data-format': text.toLowerCase(), 'aria-label': `Download ${this.table.title} as ${text}` },
+      text,
+    );
     button.addEventListener('click', action);
     return button;
   }
 
-  private columns(): Column[] { return this.table.columns; }
+  private columns(): Column[] {
+    return this.table.columns;
+  }
 
   // Columns that say something: not hidden, not empty in every row that may be shown; `r used` only where it differs.
   private shown(rows: Cell[][]): number[] {
-    const { columns } = this.table, asked = columns.findIndex((column) => column.name === 'r');
-    return columns.map((_, j) => j).filter((j) => !this.options.hide?.includes(columns[j].name) &&
-      rows.some((row) => row[j][0] !== '' && !(columns[j].name === 'r used' && row[j][0] === row[asked][0])));
+    const { columns } = this.table,
+      asked = columns.findIndex((column) => column.name === 'r');
+    return columns
+      .map((_, j) => j)
+      .filter(
+        (j) =>
+          !this.options.hide?.includes(columns[j].name) &&
+          rows.some((row) => row[j][0] !== '' && !(columns[j].name === 'r used' && row[j][0] === row[asked][0])),
+      );
   }
 
-  private chosen(): Cell[][] { return this.table.rows.filter((row) => this.options.choose?.(row) ?? true); }
+  private chosen(): Cell[][] {
+    return this.table.rows.filter((row) => this.options.choose?.(row) ?? true);
+  }
 
   private visible(): Cell[][] {
     const words = this.options.filter ? this.input.value.toLowerCase().split(/\s+/).filter(Boolean) : [];
     const rows = this.chosen().filter((row) => {
-      const text = row.map((cell) => cell[0]).join(' ').toLowerCase();
+      const text = row
+        .map((cell) => cell[0])
+        .join(' ')
+        .toLowerCase();
       return words.every((word) => text.includes(word));
     });
     const j = this.table.columns.findIndex((column) => column.name === this.sort.column);
     if (j < 0) return rows;
     const sign = this.sort.descending ? -1 : 1;
-    const numbers = rows.filter((row) => row[j][1] != null), others = rows.filter((row) => row[j][1] == null);
+    const numbers = rows.filter((row) => row[j][1] != null),
+      others = rows.filter((row) => row[j][1] == null);
     const ordered = (list: Cell[][]) => list.slice().sort((a, b) => sign * compare(a[j], b[j]));
     return [...ordered(numbers), ...ordered(others)];
   }
@@ -89,22 +132,34 @@ export class TableView {
   private heading(j: number): HTMLTableCellElement {
     const column = this.table.columns[j];
     const active = this.sort.column === column.name;
-    const button = make('button', { type: 'button' }, column.name,
+    const button = make(
+      'button',
+      { type: 'button' },
+      column.name,
       ...(column.unit ? [' ', make('span', { class: 'unit' }, `[${column.unit}]`)] : []),
-      make('span', { class: 'arrow', 'aria-hidden': 'true' }, active ? (this.sort.descending ? '▼' : '▲') : ''));
+      make('span', { class: 'arrow', 'aria-hidden': 'true' }, active ? (this.sort.descending ? '▼' : '▲') : ''),
+    );
     button.addEventListener('click', () => {
       const next = !active ? column.name : this.sort.descending ? '' : `-${column.name}`;
       this.setSort(next);
       announce(next ? `sorted by ${column.name}, ${next[0] === '-' ? 'descending' : 'ascending'}` : 'original order');
       (this.head.querySelectorAll('button')[this.shown(this.chosen()).indexOf(j)] as HTMLElement | undefined)?.focus();
     });
-    return make('th', { scope: 'col', class: column.kind,
-      'aria-sort': active ? (this.sort.descending ? 'descending' : 'ascending') : 'none' }, button);
+    return make(
+      'th',
+      {
+        scope: 'col',
+        class: column.kind,
+        'aria-sort': active ? (this.sort.descending ? 'descending' : 'ascending') : 'none',
+      },
+      button,
+    );
   }
 
   private setSort(sort: string): void {
     this.sort = { column: sort.replace(/^-/, ''), descending: sort.startsWith('-') };
-    if (this.options.state) this.options.state.set({ sort }); else this.draw();
+    if (this.options.state) this.options.state.set({ sort });
+    else this.draw();
   }
 
   draw(): void {
@@ -114,12 +169,15 @@ export class TableView {
       this.sort = { column: sort.replace(/^-/, ''), descending: sort.startsWith('-') };
       if (this.input.value !== state.get('filter')) this.input.value = state.get('filter');
     }
-    const shown = this.shown(this.chosen()), rows = this.visible();
+    const shown = this.shown(this.chosen()),
+      rows = this.visible();
     this.head.replaceChildren(make('tr', {}, ...shown.map((j) => this.heading(j))));
-    this.rows.replaceChildren(...rows.map((row) => {
-      const tr = make('tr', {}, ...shown.map((j) => body(this.table.columns[j], row[j])));
-      return tr;
-    }));
+    this.rows.replaceChildren(
+      ...rows.map((row) => {
+        const tr = make('tr', {}, ...shown.map((j) => body(this.table.columns[j], row[j])));
+        return tr;
+      }),
+    );
     this.count.textContent = `${rows.length} of ${this.chosen().length} rows`;
   }
 }

@@ -7,30 +7,65 @@ type Mood = 'good' | 'bad' | 'warn' | 'plain';
 const symbols: Record<Mood, string> = { good: '✔', bad: '✘', warn: '⚠', plain: '' };
 
 function tile(value: string, name: string, detail: string, mood: Mood): HTMLElement {
-  const number = make('p', { class: 'value' }, ...(symbols[mood] ? [make('span', { 'aria-hidden': 'true' }, symbols[mood])] : []),
-    value);
-  return make('div', { class: `tile ${mood}` }, make('p', { class: 'name' }, name), number, make('p', { class: 'detail' }, detail));
+  const number = make(
+    'p',
+    { class: 'value' },
+    ...(symbols[mood] ? [make('span', { 'aria-hidden': 'true' }, symbols[mood])] : []),
+    value,
+  );
+  return make(
+    'div',
+    { class: `tile ${mood}` },
+    make('p', { class: 'name' }, name),
+    number,
+    make('p', { class: 'detail' }, detail),
+  );
 }
 
 function tiles(report: Report): HTMLElement {
   const v = report.verdict;
-  const missing = [v.not_decidable ? `${v.not_decidable} not decidable` : '', v.not_measured ? `${v.not_measured} not measured` : ''];
-  const checks: Mood = v.checks === 0 ? 'plain' : v.hold === v.checks ? 'good'
-    : v.hold + v.not_decidable === v.checks ? 'warn' : 'bad';
+  const missing = [
+    v.not_decidable ? `${v.not_decidable} not decidable` : '',
+    v.not_measured ? `${v.not_measured} not measured` : '',
+  ];
+  const checks: Mood =
+    v.checks === 0 ? 'plain' : v.hold === v.checks ? 'good' : v.hold + v.not_decidable === v.checks ? 'warn' : 'bad';
   const contenders = report.plots.runs.length;
-  return make('div', { class: 'tiles' },
-    tile(`${v.cases_within} / ${v.cases}`, 'cases within all checks',
-      [`${v.hold} of ${v.checks} checks hold`, ...missing].filter(Boolean).join(', '), checks),
-    tile(v.median ? `${v.median}×` : 'none reached', 'speed-up at 1 % error',
-      v.at_target ? `median over ${v.at_target} ${v.at_target === 1 ? 'case' : 'cases'}, equal displacement error, truth finer`
-        : 'no reduced run reaches 1 %', 'plain'),
-    tile(String(v.failed_runs), 'failed runs', `of ${contenders} contenders`, v.failed_runs ? 'bad' : 'good'),
-    tile(report.environment.profile ?? 'unknown', 'profile', report.cases.map((one) => one.name).join(', '), 'plain'));
+  return make(
+    'div',
+    { class: 'tiles' },
+    tile(
+      `${v.cases_within} / ${v.cases}`,
+      'cases within all checks',
+      [`${v.hold} of ${v.checks} checks hold`, ...missing].filter(Boolean).join(', '),
+      checks,
+    ),
+    tile(
+      v.median ? `${v.median}×` : 'none reached',
+      'speed-up at 1 % error',
+      v.at_target
+        ? `median over ${v.at_target} ${v.at_target === 1 ? 'case' : 'cases'}, equal displacement error, truth finer`
+        : contenders
+          ? 'no reduced run reaches 1 %'
+          : 'nothing was run',
+      'plain',
+    ),
+    tile(
+      String(v.failed_runs),
+      'failed runs',
+      `of ${contenders} contenders`,
+      v.failed_runs ? 'bad' : contenders ? 'good' : 'plain',
+    ),
+    tile(report.environment.profile ?? 'unknown', 'profile', report.cases.map((one) => one.name).join(', '), 'plain'),
+  );
 }
 
 export function drawVerdict(report: Report): void {
   const section = byId('verdict');
-  section.append(tiles(report), make('ul', { class: 'sentences' }, ...report.verdict.sentences.map((one) => make('li', {}, one))));
+  section.append(
+    tiles(report),
+    make('ul', { class: 'sentences' }, ...report.verdict.sentences.map((one) => make('li', {}, one))),
+  );
   const all = make('button', { type: 'button', id: 'download-all' }, 'Everything as JSON');
   all.addEventListener('click', () => download('modalbench-report.json', 'application/json', JSON.stringify(report)));
   const print = make('button', { type: 'button', id: 'print' }, 'Print');
