@@ -54,8 +54,9 @@ TEST(SundialsVerification, ReleaseFromOneModeIsACosine) {
   s.u0 = 1e-3 * modes.eigenvectors().col(i);
   MatrixXd expected(s.u0.size(), times.size());
   for (Index k = 0; k < times.size(); ++k) expected.col(k) = std::cos(omega * times[k]) * s.u0;
-  const States states = sundials(s, 1e-8, 0.29)->run(times);
-  EXPECT_LT(relative(s.M, states.u, expected), 1e-6);  // a hundred times the tolerance, over three periods
+  const States states = sundials(s, 1e-10, 0.29)->run(times);
+  // Three periods in some 140 steps, each within 1e-10 of the amplitude, and the interpolation between them: seen 8e-8.
+  EXPECT_LT(relative(s.M, states.u, expected), 3e-7);
 }
 
 TEST(Sundials, ErrorFallsWithTheTolerance) {
@@ -68,7 +69,7 @@ TEST(Sundials, ErrorFallsWithTheTolerance) {
     const States stepped = sundials(s, tolerance, 0.29)->run(times);
     const double error = relative(s.M, stepped.u, closed.u);
     EXPECT_LT(error, 0.1 * previous) << tolerance;
-    EXPECT_LT(stepped.work.factorisations, stepped.work.steps / 4) << "the factor is meant to be reused";
+    EXPECT_LT(stepped.work.factorisations, 20) << "of " << stepped.work.steps << " steps: the factor is meant to be reused";
     previous = error;
   }
 }

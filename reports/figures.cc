@@ -29,7 +29,7 @@ std::vector<Quantity> quantities(const Analysis& analysis) {
   };
   std::set<Quantity> found;
   for (const Record& record : analysis.input.records) {
-    if (!is_time(record.metric)) found.insert({record.metric, record.subject, record.unit});
+    if (is_mark(record) && is_reduced(record.contender)) found.insert({record.metric, record.subject, record.unit});
   }
   std::vector<Quantity> sorted(found.begin(), found.end());
   std::sort(sorted.begin(), sorted.end(), [&](const Quantity& a, const Quantity& b) { return place(a) < place(b); });

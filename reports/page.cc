@@ -84,7 +84,7 @@ std::vector<std::string> truths_of(const Analysis& analysis) {
   std::vector<std::string> truths;
   for (const Record& record : analysis.input.records) {
     const bool known = std::find(truths.begin(), truths.end(), record.truth) != truths.end();
-    if (!is_time(record.metric) && !known) truths.push_back(record.truth);
+    if (is_mark(record) && !known) truths.push_back(record.truth);
   }
   std::sort(truths.begin(), truths.end());  // "finer" first: the headline's
   return truths;

@@ -30,7 +30,7 @@ std::vector<Run> group_runs(const std::vector<Record>& records) {
       run.online = record;
     } else if (record.metric == "offline-time") {
       run.offline = record;
-    } else {
+    } else if (is_mark(record)) {
       run.measures.insert_or_assign(Measure{record.metric, record.subject, record.truth}, record);
     }
   }
@@ -43,7 +43,7 @@ bool same_contender(const Contender& a, const Contender& b) { return order({}, {
 
 bool is_reduced(const Contender& contender) { return contender.method != "full-order"; }
 
-bool is_time(const std::string& metric) { return metric == "online-time" || metric == "offline-time"; }
+bool is_mark(const Record& record) { return !record.truth.empty(); }
 
 bool is_usable(const Record& record) { return record.status == "ok" && std::isfinite(record.value); }
 

@@ -33,7 +33,7 @@ std::vector<Run> group_runs(const std::vector<Record>& records);
 
 bool same_contender(const Contender& a, const Contender& b);
 bool is_reduced(const Contender& contender);
-bool is_time(const std::string& metric);                  // online-time, offline-time
+bool is_mark(const Record& record);                      // measured against a truth, unlike times and load errors
 bool is_usable(const Record& record);                     // status ok and a finite value
 double counted_error(const Record& record);               // |value|, or the error bar where that is larger
 std::string describe(const Contender& contender);         // "eigenmodes, r = 8", "Q2 1x4, newmark, step 1.25e-3 s"

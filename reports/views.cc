@@ -24,7 +24,7 @@ std::vector<MetricColumn> metric_columns(const Analysis& analysis, bool probes) 
                                           "pose-rotation",      "probe-error",  "probe-magnitude",   "probe-phase"};
   std::map<std::string, std::string> found;  // metric -> unit
   for (const Record& record : analysis.input.records) {
-    if (!is_time(record.metric) && is_probe(record.metric) == probes) found.emplace(record.metric, record.unit);
+    if (is_mark(record) && is_probe(record.metric) == probes) found.emplace(record.metric, record.unit);
   }
   std::vector<MetricColumn> columns;
   for (const char* name : usual) {

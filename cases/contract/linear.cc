@@ -1,5 +1,7 @@
 #include "cases/contract/linear.h"
 
+#include <algorithm>
+
 namespace mb {
 
 MatrixXd observe(const Observation& observation, const MatrixXd& q, const MatrixXd& s) {
@@ -51,6 +53,11 @@ class PreparedLinear final : public Prepared {
     Index n = 0;
     for (const auto& body : bodies_) n += body.system.u0.size();
     return n;
+  }
+  double load_error() const override {
+    double largest = 0;
+    for (const auto& stepper : steppers_) largest = std::max(largest, stepper->load_error());
+    return largest;
   }
 
  private:

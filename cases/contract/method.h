@@ -45,6 +45,7 @@ class Prepared {
   virtual std::vector<Decision> decisions() const { return {}; }
   virtual int modes_used() const { return -1; }  // elastic modes after rounding up to whole multiplets; -1: not modal
   virtual Index n_unknowns() const = 0;
+  virtual double load_error() const { return 0; }  // [-] see Stepper
 };
 
 // Makes a stepper for a full or reduced system: the harness pairs integrators with systems of either kind.

@@ -36,6 +36,9 @@ std::map<std::string, std::string> definitions() {
   docs["offline-time"] =
       "What is done once per body and mesh before the first step: factorisations, eigensolve with its gate, "
       "projection. Assembly, which all share, is left out. One run.";
+  docs["load-error"] =
+      "Largest error, relative to the peak, in representing the load by lines and cosines: 0 for all histories but chirps "
+      "and expressions, which are resampled.";
   return docs;
 }
 

@@ -90,6 +90,8 @@ class CaseRun {
       });
       const Trajectory stored = store_.read_trajectory(record.run);  // marks come from what is stored, nothing else
       std::vector<Record> records = grader.marks(record, stored);
+      if (contender.integrator == "exact")
+        records.push_back(grader.number(record, "load-error", "-", prepared->load_error(), std::nan("")));
       if (stored.status == Status::ok) {
         const Timing online = time_online(*prepared, estimate < cheap);
         records.push_back(grader.number(record, "offline-time", "s", offline, std::nan("")));

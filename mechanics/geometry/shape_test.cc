@@ -34,7 +34,7 @@ TEST(Quadrature, WeightsArePositiveAndSumToTheMeasure) {
     EXPECT_NEAR(inside.weights.sum(), volume(shape), 1e-14 * volume(shape));
     EXPECT_NEAR(on.weights.sum(), surface_area(shape), 1e-13 * surface_area(shape));
     EXPECT_GT(inside.weights.size(), 200);
-    EXPECT_LT(inside.weights.size(), 600);
+    EXPECT_LE(inside.weights.size(), 600);  // slender boxes: at least three points across
   }
 }
 

@@ -199,7 +199,8 @@ class Run {
 
 class Exact final : public Stepper {
  public:
-  Exact(Modal modal, double duration) : modal_(std::move(modal)), duration_(duration) {}
+  Exact(Modal modal, double duration, double load_error)
+      : modal_(std::move(modal)), duration_(duration), load_error_(load_error) {}
 
   States run(const VectorXd& times) const override {
     for (Index j = 0; j < times.size(); ++j) {
@@ -209,10 +210,11 @@ class Exact final : public Stepper {
     }
     return Run(modal_, times).states();
   }
+  double load_error() const override { return load_error_; }
 
  private:
   Modal modal_;
-  double duration_;
+  double duration_, load_error_;
 };
 
 }  // namespace
@@ -220,7 +222,11 @@ class Exact final : public Stepper {
 std::unique_ptr<Stepper> exact(const System& system, double duration, double load_tolerance) {
   auto form = modal_form(system);
   std::vector<Segments> chains;
-  for (const auto& history : system.s) chains.push_back(segments(history, duration, load_tolerance));
+  double load_error = 0;
+  for (const auto& history : system.s) {
+    chains.push_back(segments(history, duration, load_tolerance));
+    load_error = std::max(load_error, chains.back().load_error);
+  }
   if (!(duration > 0 && std::isfinite(duration))) throw std::invalid_argument("the duration must be positive");
 
   Modal modal;
@@ -231,7 +237,7 @@ std::unique_ptr<Stepper> exact(const System& system, double duration, double loa
   modal.v0 = identity ? system.v0 : VectorXd(form.Phi.transpose() * (system.M * system.v0));
   modal.Phi = std::move(form.Phi);
   modal.pieces = merged(chains, duration);
-  return std::make_unique<Exact>(std::move(modal), duration);
+  return std::make_unique<Exact>(std::move(modal), duration, load_error);
 }
 
 }  // namespace mb

@@ -61,6 +61,8 @@ class Stepper {
   virtual ~Stepper() = default;
   // times [s]: ascending, first >= 0; the run starts at t = 0 from u0, v0.
   virtual States run(const VectorXd& times) const = 0;
+  // Largest error made in representing the loads, relative to their peak [-]; 0 where they enter as they are.
+  virtual double load_error() const { return 0; }
 };
 
 }  // namespace mb

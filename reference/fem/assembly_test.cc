@@ -20,7 +20,7 @@ struct Mesh { Shape shape; Resolution resolution; double tolerance; };
 const std::vector<Mesh> meshes = {{box, {1, {3, 2, 4}}, 1e-13},      {box, {4, {1, 1, 2}}, 1e-13},
                                   {cylinder, {1, {2, 3}}, 1e-13},    {cylinder, {2, {1, 2}}, 1e-13},
                                   {cylinder, {3, {1, 2}}, 1e-5},     {cylinder, {4, {1, 2}}, 1e-5},
-                                  {cylinder, {3, {2, 4}}, 1e-6},     {cylinder, {4, {2, 4}}, 1e-8},
+                                  {cylinder, {3, {2, 4}}, 1e-6},     {cylinder, {4, {2, 4}}, 1e-6},
                                   {sphere, {1, {2}}, 1e-13},         {sphere, {2, {2}}, 1e-13}};
 
 // Node values of the displacement u = G x.

@@ -102,20 +102,15 @@ await step('draws both plots', async () => {
 await page.screenshot({ path: join(out, 'wide.png'), fullPage: true });
 await page.screenshot({ path: join(out, 'first-screen.png') });
 
+const numbers = async (column) => (await cells(column)).map((text) => parseFloat(text)).filter(Number.isFinite);
+// Cells show the digits that their spread allows, down to two: 0.27 may stand before 0.269.
+const ascending = (values) => values.every((value, i) => i === 0 || value >= values[i - 1] * 0.95);
 await step('sorts by value in both directions and back', async () => {
   const before = await cells('online time');
   await heading('online time').click();
-  const values = (await cells('online time')).map((text) => parseFloat(text)).filter(Number.isFinite);
-  assert.deepEqual(
-    values,
-    [...values].sort((a, b) => a - b),
-  );
+  assert.ok(ascending(await numbers('online time')));
   await heading('online time').click();
-  const falling = (await cells('online time')).map((text) => parseFloat(text)).filter(Number.isFinite);
-  assert.deepEqual(
-    falling,
-    [...falling].sort((a, b) => b - a),
-  );
+  assert.ok(ascending((await numbers('online time')).reverse()));
   await heading('online time').click();
   assert.deepEqual(await cells('online time'), before);
 });

@@ -1,0 +1,253 @@
+// The program as its user meets it: commands, messages, exit codes. Suites *Cases carry the ctest label `cases`.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "cases/json/record_json.h"
+#include "harness/commands/commands.h"
+#include "harness/main.h"
+#include "harness/store/scratch_folder_test.h"
+
+namespace mb {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+struct Said { int code; std::string out, err; };
+
+// Runs the program in `folder`.
+Said modalbench(const fs::path& folder, std::vector<std::string> words) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder);
+  words.insert(words.begin(), "modalbench");
+  std::vector<char*> argv;
+  for (auto& word : words) argv.push_back(word.data());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int code = harness_main(static_cast<int>(argv.size()), argv.data(), default_catalogue());
+  fs::current_path(before);
+  return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+std::string text(const fs::path& file) {
+  std::ostringstream all;
+  all << std::ifstream(file).rdbuf();
+  return all.str();
+}
+
+// A case of a few hundred degrees of freedom that runs in seconds.
+std::string small_case(const std::string& at_most = "0.5", const std::string& history = R"({ kind = "pulse", duration = 0.1 })") {
+  return R"(schema = 1
+name = "small"
+title = "t"
+purpose = "p"
+source = "s"
+[time]
+duration = 0.1
+frame_rate = 60
+samples_per_second = 200
+[[body]]
+name = "body"
+[body.shape]
+kind = "cylinder"
+radius = 0.05
+length = 0.2
+[body.material]
+youngs_modulus = 2e4
+poissons_ratio = 0.45
+density = 1100
+[body.resolution]
+degree = 2
+cells = [1, 2]
+[[load]]
+name = "squeeze"
+history = )" + history + R"(
+[[load.traction]]
+body = "body"
+face = "z-max"
+traction = [0, 0, -400]
+[[load.traction]]
+body = "body"
+face = "z-min"
+traction = [0, 0, 400]
+[[probe]]
+name = "top"
+body = "body"
+point = [0, 0, 0.1]
+direction = [0, 0, 1]
+[truth]
+relative_tolerance = 1e-4
+finer = { degree = 3, cells = [1, 2] }
+coarser = { degree = 2, cells = [1, 2] }
+[study]
+methods = ["static-correction"]
+modes = [4, 12]
+[[study.rival]]
+integrator = "newmark"
+degrees = [1]
+cells = [[1, 2]]
+time_steps = [0.01, 0.005]
+[[check]]
+method = "static-correction"
+metric = "displacement-error"
+truth = "same_mesh"
+modes = 12
+at_most = )" + at_most + R"(
+why = "w"
+)";
+}
+
+fs::path written(const fs::path& file, const std::string& content) {
+  std::ofstream(file) << content;
+  return file;
+}
+
+// Every wrong file of cases/bad: its messages on stderr, nothing on stdout, exit code 2.
+TEST(BadInputCases, MessagesAndExitCode) {
+  const fs::path folder = fs::path(MB_SOURCE_DIR) / "cases/bad";
+  int n_files = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".toml") continue;
+    const Said said = modalbench(folder, {"check", entry.path().filename()});
+    EXPECT_EQ(said.code, 2) << entry.path();
+    EXPECT_EQ(said.out, "") << entry.path();
+    const std::string expected = text(fs::path(entry.path()).replace_extension(".expected"));
+    EXPECT_FALSE(expected.empty()) << entry.path();
+    EXPECT_THAT(said.err, HasSubstr(expected.substr(0, expected.size() - 1)));
+    ++n_files;
+  }
+  EXPECT_GE(n_files, 20);
+}
+
+TEST(ProgramCases, RunsResumesReportsAndChecks) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  const Said first = modalbench(scratch.path(), {"run", "small.toml"});
+  EXPECT_EQ(first.code, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("holds small"));
+  EXPECT_THAT(first.err, HasSubstr("4 runs done, 0 found"));
+  const Said second = modalbench(scratch.path(), {"run", "small.toml"});
+  EXPECT_EQ(second.code, 0);
+  EXPECT_EQ(second.out, first.out);
+  EXPECT_THAT(second.err, HasSubstr("0 runs done, 4 found"));
+  EXPECT_THAT(modalbench(scratch.path(), {"run", "small.toml", "--plan"}).out, HasSubstr("stored"));
+
+  const RecordLines records = read_records(scratch / "results/results.jsonl");
+  EXPECT_TRUE(records.refused.empty());
+  int n_online = 0, n_marks = 0;
+  for (const Record& r : records.records) {
+    EXPECT_EQ(r.status, "ok") << r.metric;
+    n_online += r.metric == "online-time";
+    if (r.metric == "displacement-error") n_marks += r.error_bar.has_value();
+  }
+  EXPECT_EQ(n_online, 4);
+  EXPECT_EQ(n_marks, 2 * 2 + 2 + 2);  // reduced and the truth's own mesh against both truths, rivals against `finer`
+
+  written(scratch / "cases", "");  // a file where a folder is looked for
+  const Said report = modalbench(scratch.path(), {"report"});
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_THAT(report.err, HasSubstr("case file is not here"));
+  fs::remove(scratch / "cases");
+  fs::create_directory(scratch / "cases");
+  fs::copy(scratch / "small.toml", scratch / "cases/small.toml");
+  EXPECT_EQ(modalbench(scratch.path(), {"report"}).code, 0);
+  EXPECT_THAT(text(scratch / "report/report.md"), HasSubstr("1 of 1 check"));
+}
+
+TEST(ProgramCases, AFailingCheckIsExitCodeOne) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case("1e-9"));
+  const Said said = modalbench(scratch.path(), {"run", "small.toml"});
+  EXPECT_EQ(said.code, 1) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("FAILS small"));
+}
+
+TEST(ProgramCases, ADamagedTruthIsNamedAndComputedAgain) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  ASSERT_EQ(modalbench(scratch.path(), {"run", "small.toml"}).code, 0);
+  for (const auto& truth : fs::directory_iterator(scratch / "results/truth")) fs::resize_file(truth, 1000);
+  const Said said = modalbench(scratch.path(), {"run", "small.toml", "--again"});
+  EXPECT_EQ(said.code, 0);
+  EXPECT_THAT(said.err, HasSubstr("computed again"));
+}
+
+TEST(ProgramCases, ResampledLoadsRecordTheirError) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case("0.9", R"({ kind = "expression", formula = "sin(60*t)^2" })"));
+  ASSERT_EQ(modalbench(scratch.path(), {"run", "small.toml"}).code, 0);
+  int n_found = 0;
+  for (const Record& r : read_records(scratch / "results/results.jsonl").records) {
+    if (r.metric != "load-error") continue;
+    EXPECT_GT(r.value, 0);
+    EXPECT_LE(r.value, 1e-6);  // the default load tolerance
+    ++n_found;
+  }
+  EXPECT_EQ(n_found, 2);
+}
+
+TEST(ProgramCases, AnInterruptedRunKeepsWhatIsFinished) {
+  const ScratchFolder scratch;
+  RunCommandOptions options;
+  options.cases = {written(scratch / "small.toml", small_case())};
+  options.store = scratch / "results";
+  int n_asked = 0;
+  options.interrupted = [&] { return ++n_asked > 2; };
+  std::ostringstream out, err;
+  EXPECT_EQ(run_command(options, default_catalogue(), {out, err}), 130);
+  EXPECT_THAT(err.str(), HasSubstr("2 runs done"));
+  options.interrupted = nullptr;
+  EXPECT_EQ(run_command(options, default_catalogue(), {out, err}), 0);
+  EXPECT_THAT(err.str(), HasSubstr("2 runs done, 2 found"));
+}
+
+TEST(ProgramCases, ModesAsJson) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  const Said said = modalbench(scratch.path(), {"modes", "small.toml", "--count", "9", "--json"});
+  ASSERT_EQ(said.code, 0) << said.err;
+  const Json json = parse_json(said.out);
+  EXPECT_EQ(json["case"], "small");
+  EXPECT_EQ(json["body"], "body");
+  EXPECT_EQ(json["n_dofs"], 375);
+  ASSERT_EQ(json["modes"].size(), 9u);
+  for (size_t i = 0; i < 9; ++i) {
+    const Json& mode = json["modes"][i];
+    EXPECT_EQ(mode["kind"], i < 6 ? "rigid" : "elastic");
+    if (i < 6) { EXPECT_EQ(mode["omega"], 0.0); }
+    EXPECT_LT(mode["residual"], 1e-8);
+    EXPECT_NEAR(mode["hertz"].get<double>() * 2 * pi, mode["omega"].get<double>(), 1e-12 * mode["omega"].get<double>());
+  }
+}
+
+TEST(ProgramCases, UsageErrorsAreExitCodeTwo) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  EXPECT_EQ(modalbench(scratch.path(), {}).code, 2);
+  EXPECT_EQ(modalbench(scratch.path(), {"rnu"}).code, 2);
+  EXPECT_EQ(modalbench(scratch.path(), {"run", "--profile", "quik"}).code, 2);
+  EXPECT_EQ(modalbench(scratch.path(), {"run", "no-such-case"}).code, 2);
+  EXPECT_EQ(modalbench(scratch.path(), {"run", "missing.toml"}).code, 2);
+  EXPECT_EQ(modalbench(scratch.path(), {"modes", "small.toml", "--count", "0"}).code, 2);
+  EXPECT_EQ(modalbench(scratch.path(), {"modes", "small.toml", "--count", "400"}).code, 2);
+  const Said said = modalbench(scratch.path(), {"modes", "small.toml", "--body", "bdy"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("did you mean 'body'"));
+  EXPECT_EQ(modalbench(scratch.path(), {"list", "xyz"}).code, 2);
+  EXPECT_EQ(modalbench(scratch.path(), {"--help"}).code, 0);
+}
+
+TEST(ProgramCases, AStoreThatCannotBeWrittenIsExitCodeThree) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  written(scratch / "occupied", "a file");
+  const Said said = modalbench(scratch.path(), {"run", "small.toml", "--store", "occupied"});
+  EXPECT_EQ(said.code, 3);
+  EXPECT_THAT(said.err, HasSubstr("occupied"));
+}
+
+}  // namespace
+}  // namespace mb
