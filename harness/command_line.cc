@@ -78,7 +78,7 @@ void add_report(CLI::App& app, const Catalogue& catalogue, Action& action) {
 int guarded(const Action& action, const Console& console) try {
   return action(console);
 } catch (const CaseErrors& errors) {
-  for (const Diagnostic& diagnostic : errors.diagnostics()) fmt::print(console.err, "{}\n", to_string(diagnostic));
+  print(errors, console.err);
   return 2;
 } catch (const UnknownCase& error) {
   fmt::print(console.err, "modalbench: {}\n", error.what());

@@ -13,6 +13,7 @@
 namespace mb {
 
 struct Console { std::ostream &out, &err; };
+void print(const CaseErrors& errors, std::ostream& err);  // every diagnostic of a case file
 
 struct ListOptions { std::string pattern; /* part of the name; empty: all */ };
 struct CheckOptions { std::vector<std::string> files; std::string profile = "quick"; };

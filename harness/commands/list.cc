@@ -6,6 +6,10 @@
 
 namespace mb {
 
+void print(const CaseErrors& errors, std::ostream& err) {
+  for (const Diagnostic& diagnostic : errors.diagnostics()) err << to_string(diagnostic);
+}
+
 int list_command(const ListOptions& options, const Catalogue& catalogue, const Console& console) {
   int code = 0, n_listed = 0;
   for (const auto& file : all_cases()) {
@@ -15,7 +19,7 @@ int list_command(const ListOptions& options, const Catalogue& catalogue, const C
       fmt::print(console.out, "{:<28} {:>4} runs  {}\n", scene.name, contenders(scene).size(), scene.title);
       ++n_listed;
     } catch (const CaseErrors& errors) {
-      for (const Diagnostic& diagnostic : errors.diagnostics()) fmt::print(console.err, "{}\n", to_string(diagnostic));
+      print(errors, console.err);
       code = 2;
     }
   }
@@ -33,7 +37,7 @@ int check_command(const CheckOptions& options, const Catalogue& catalogue, const
       fmt::print(console.out, "{}: valid ({} bodies, {} contenders, {} checks)\n", scene.name, scene.bodies.size(),
                  contenders(scene).size(), scene.checks.size());
     } catch (const CaseErrors& errors) {
-      for (const Diagnostic& diagnostic : errors.diagnostics()) fmt::print(console.err, "{}\n", to_string(diagnostic));
+      print(errors, console.err);
       n_errors += static_cast<int>(errors.diagnostics().size());
     }
   if (n_errors > 0) fmt::print(console.err, "{} error{}\n", n_errors, n_errors == 1 ? "" : "s");
