@@ -17,7 +17,7 @@ struct Catalogue {
 
   const Method& method(const std::string& name) const;          // throws std::out_of_range naming it
   const Integrator& integrator(const std::string& name) const;  // likewise
-  Vocabulary vocabulary() const;                                 // names a case file may use
+  Vocabulary vocabulary() const;                                // names a case file may use
 };
 
 Catalogue default_catalogue();

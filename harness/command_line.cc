@@ -28,12 +28,14 @@ void add_list(CLI::App& app, const Catalogue& catalogue, Action& action) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* command = app.add_subcommand("list", "cases and what each is about");
   command->add_option("pattern", options->pattern, "part of a name");
-  command->callback([&, options] { action = [&, options](const Console& c) { return list_command(*options, catalogue, c); }; });
+  command->callback(
+      [&, options] { action = [&, options](const Console& c) { return list_command(*options, catalogue, c); }; });
 }
 
 void add_profile(CLI::App& command, std::string& profile) {
   command.add_option("--profile", profile, "quick, standard or full")
-      ->check(CLI::IsMember({"quick", "standard", "full"}))->capture_default_str();
+      ->check(CLI::IsMember({"quick", "standard", "full"}))
+      ->capture_default_str();
 }
 
 void add_check(CLI::App& app, const Catalogue& catalogue, Action& action) {
@@ -41,7 +43,8 @@ void add_check(CLI::App& app, const Catalogue& catalogue, Action& action) {
   CLI::App* command = app.add_subcommand("check", "read case files and report every problem");
   command->add_option("file", options->files, "case files or names")->required();
   add_profile(*command, options->profile);
-  command->callback([&, options] { action = [&, options](const Console& c) { return check_command(*options, catalogue, c); }; });
+  command->callback(
+      [&, options] { action = [&, options](const Console& c) { return check_command(*options, catalogue, c); }; });
 }
 
 void add_modes(CLI::App& app, const Catalogue& catalogue, Action& action) {
@@ -49,9 +52,12 @@ void add_modes(CLI::App& app, const Catalogue& catalogue, Action& action) {
   CLI::App* command = app.add_subcommand("modes", "natural frequencies of a body, with residuals");
   command->add_option("case", options->case_name, "case name or file")->required();
   command->add_option("--body", options->body, "body of the case (default: the first)");
-  command->add_option("--count", options->count, "modes, rigid ones included")->check(CLI::Range(1, 4096))->capture_default_str();
+  command->add_option("--count", options->count, "modes, rigid ones included")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
   command->add_flag("--json", options->json, "one JSON object");
-  command->callback([&, options] { action = [&, options](const Console& c) { return modes_command(*options, catalogue, c); }; });
+  command->callback(
+      [&, options] { action = [&, options](const Console& c) { return modes_command(*options, catalogue, c); }; });
 }
 
 void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
@@ -63,7 +69,8 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
   command->add_flag("--plan", options->plan, "list the runs and whether they are stored");
   command->add_flag("--again", options->again, "run also what the store holds");
   options->interrupted = [] { return interrupt_requested != 0; };
-  command->callback([&, options] { action = [&, options](const Console& c) { return run_command(*options, catalogue, c); }; });
+  command->callback(
+      [&, options] { action = [&, options](const Console& c) { return run_command(*options, catalogue, c); }; });
 }
 
 void add_report(CLI::App& app, const Catalogue& catalogue, Action& action) {
@@ -71,7 +78,8 @@ void add_report(CLI::App& app, const Catalogue& catalogue, Action& action) {
   CLI::App* command = app.add_subcommand("report", "write the report of what is stored");
   command->add_option("-o,--output", options->directory, "folder of the report")->capture_default_str();
   command->add_option("--store", options->store, "where results are kept")->capture_default_str();
-  command->callback([&, options] { action = [&, options](const Console& c) { return report_command(*options, catalogue, c); }; });
+  command->callback(
+      [&, options] { action = [&, options](const Console& c) { return report_command(*options, catalogue, c); }; });
 }
 
 // Runs the action; names what went wrong and returns the exit code that says so.

@@ -22,7 +22,9 @@ Timing measure(const std::function<void()>& work, int repeats, double total) {
     sum += runs.back();
   }
   std::sort(runs.begin(), runs.end());
-  const auto quantile = [&](double q) { return runs[static_cast<size_t>(q * static_cast<double>(runs.size() - 1) + 0.5)]; };
+  const auto quantile = [&](double q) {
+    return runs[static_cast<size_t>(q * static_cast<double>(runs.size() - 1) + 0.5)];
+  };
   return {quantile(0.5), 0.5 * (quantile(0.75) - quantile(0.25)), static_cast<int>(runs.size())};
 }
 

@@ -7,9 +7,9 @@
 namespace mb {
 
 struct Timing {
-  double median;   // [s]
-  double spread;   // [s] half the distance of the quartiles; NaN for a single run
-  int repeats;     // counted runs
+  double median;  // [s]
+  double spread;  // [s] half the distance of the quartiles; NaN for a single run
+  int repeats;    // counted runs
 };
 
 double seconds(const std::function<void()>& work);  // one run

@@ -16,7 +16,10 @@ namespace {
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-struct Said { int code; std::string out, err; };
+struct Said {
+  int code;
+  std::string out, err;
+};
 
 // Runs the program in `folder`.
 Said modalbench(const fs::path& folder, std::vector<std::string> words) {
@@ -39,7 +42,8 @@ std::string text(const fs::path& file) {
 }
 
 // A case of a few hundred degrees of freedom that runs in seconds.
-std::string small_case(const std::string& at_most = "0.5", const std::string& history = R"({ kind = "pulse", duration = 0.1 })") {
+std::string small_case(const std::string& at_most = "0.5",
+                       const std::string& history = R"({ kind = "pulse", duration = 0.1 })") {
   return R"(schema = 1
 name = "small"
 title = "t"
@@ -64,7 +68,8 @@ degree = 2
 cells = [1, 2]
 [[load]]
 name = "squeeze"
-history = )" + history + R"(
+history = )" +
+         history + R"(
 [[load.traction]]
 body = "body"
 face = "z-max"
@@ -95,7 +100,8 @@ method = "static-correction"
 metric = "displacement-error"
 truth = "same_mesh"
 modes = 12
-at_most = )" + at_most + R"(
+at_most = )" +
+         at_most + R"(
 why = "w"
 )";
 }
@@ -217,7 +223,9 @@ TEST(ProgramCases, ModesAsJson) {
   for (size_t i = 0; i < 9; ++i) {
     const Json& mode = json["modes"][i];
     EXPECT_EQ(mode["kind"], i < 6 ? "rigid" : "elastic");
-    if (i < 6) { EXPECT_EQ(mode["omega"], 0.0); }
+    if (i < 6) {
+      EXPECT_EQ(mode["omega"], 0.0);
+    }
     EXPECT_LT(mode["residual"], 1e-8);
     EXPECT_NEAR(mode["hertz"].get<double>() * 2 * pi, mode["omega"].get<double>(), 1e-12 * mode["omega"].get<double>());
   }

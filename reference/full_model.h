@@ -1,5 +1,5 @@
-// Full order: a body of the scene on hexahedra of degree 1 to 4 with curved boundary mapping (deal.II), consistent mass,
-// full Gauss quadrature, supports condensed:
+// Full order: a body of the scene on hexahedra of degree 1 to 4 with curved boundary mapping (deal.II), consistent
+// mass, full Gauss quadrature, supports condensed:
 //
 //   u_full = T u,   M = T^T M_full T,   K = T^T K_full T,   F = T^T F_full
 #pragma once

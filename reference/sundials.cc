@@ -19,10 +19,12 @@ namespace {
 using Vector = Eigen::Map<VectorXd>;
 constexpr long max_steps = 2'000'000;
 
-struct Scales { double displacement, velocity; };  // [m], [m/s], both > 0
+struct Scales {
+  double displacement, velocity;
+};  // [m], [m/s], both > 0
 
-// Sizes that the motion can reach, in the M norm per root mass: with T the duration, the initial state and the responses
-// to each load at its peak and to the initial velocity of  (K + M/T^2) x = F max|s|.
+// Sizes that the motion can reach, in the M norm per root mass: with T the duration, the initial state and the
+// responses to each load at its peak and to the initial velocity of  (K + M/T^2) x = F max|s|.
 Scales motion_scales(const System& system, double duration) {
   const double mass = system.M.sum() / 3;
   const auto norm = [&](const SparseMatrix& A, const VectorXd& x) { return std::sqrt(x.dot(A * x) / mass); };
@@ -91,8 +93,8 @@ int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vect
     ++p.work.factorisations;
   }
   const Index n = p.n();
-  const Vector predicted_u(NV_DATA_S(predicted), n), data_u(NV_DATA_S(data), n), predicted_v(NV_DATA_S(predicted) + n, n),
-      data_v(NV_DATA_S(data) + n, n);
+  const Vector predicted_u(NV_DATA_S(predicted), n), data_u(NV_DATA_S(data), n),
+      predicted_v(NV_DATA_S(predicted) + n, n), data_v(NV_DATA_S(data) + n, n);
   p.x = predicted_u + data_u;
   p.unbalanced(t, p.x);
   p.b *= gamma;
@@ -116,10 +118,13 @@ struct Free {
 };
 template <class T>
 using Owned = std::unique_ptr<std::remove_pointer_t<T>, Free>;
-struct FreeArkode { void operator()(void* arkode) const { ARKStepFree(&arkode); } };
+struct FreeArkode {
+  void operator()(void* arkode) const { ARKStepFree(&arkode); }
+};
 
 void require(int flag, const char* call) {
-  if (flag < 0) throw std::runtime_error(std::string("SUNDIALS: ") + call + " failed with flag " + std::to_string(flag));
+  if (flag < 0)
+    throw std::runtime_error(std::string("SUNDIALS: ") + call + " failed with flag " + std::to_string(flag));
 }
 
 // ARKODE on one system: owns every SUNDIALS object of one run.
@@ -197,7 +202,10 @@ Status status_of(int flag) {
 class Sundials final : public Stepper {
  public:
   Sundials(const System& system, double tolerance, double duration)
-      : system_(system), tolerance_(tolerance), duration_(duration), mass_(system.M),
+      : system_(system),
+        tolerance_(tolerance),
+        duration_(duration),
+        mass_(system.M),
         scales_(motion_scales(system, duration)) {
     for (const History& s : system.s)
       for (const double t : breakpoints(s, duration)) breaks_.push_back(t);

@@ -9,7 +9,8 @@
 
 namespace mb {
 
-// relative_tolerance [-] in [1e-12, 1e-2]; absolute ones are it times scales of displacement and velocity. duration [s].
+// relative_tolerance [-] in [1e-12, 1e-2]; absolute ones are it times scales of displacement and velocity. duration
+// [s].
 std::unique_ptr<Stepper> sundials(const System& system, double relative_tolerance, double duration);
 
 }  // namespace mb

@@ -30,8 +30,7 @@ class PreparedLinear final : public Prepared {
   PreparedLinear(std::vector<LinearBody> bodies, const Integrator& integrator, const Settings& settings,
                  double duration, int modes_used)
       : bodies_(std::move(bodies)), modes_used_(modes_used) {
-    for (const LinearBody& body : bodies_)
-      steppers_.push_back(integrator.prepare(body.system, settings, duration));
+    for (const LinearBody& body : bodies_) steppers_.push_back(integrator.prepare(body.system, settings, duration));
   }
 
   Trajectory simulate(const Sampling& sampling) const override {
@@ -40,8 +39,8 @@ class PreparedLinear final : public Prepared {
       const LinearBody& body = bodies_[i];
       const States states = steppers_[i]->run(sampling.t);
       const MatrixXd s = load_factors(body.system.s, sampling.t);
-      answer.bodies.push_back({observe(body.displacement, states.u, s),
-                               sampling.strain ? observe(body.strain, states.u, s) : MatrixXd()});
+      answer.bodies.push_back(
+          {observe(body.displacement, states.u, s), sampling.strain ? observe(body.strain, states.u, s) : MatrixXd()});
       answer.work = answer.work + states.work;
       if (answer.status == Status::ok) answer.status = states.status;
     }

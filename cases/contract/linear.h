@@ -1,6 +1,7 @@
 // What every linear method, full or reduced, does once its system is made:
 //
-//   u(points, t) = U q(t) + U_s s(t),   q from the stepper; U sparse for a mesh, dense for a basis; U_s corrects statically
+//   u(points, t) = U q(t) + U_s s(t),   q from the stepper; U sparse for a mesh, dense for a basis; U_s corrects
+//   statically
 #pragma once
 
 #include <memory>

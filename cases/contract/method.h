@@ -25,7 +25,12 @@ struct Sampling {
 };
 
 // An effect that was simulated or left out, and why.
-struct Decision { std::string effect, subject; bool on; double estimate, tolerance; std::string reason; };
+struct Decision {
+  std::string effect, subject;
+  bool on;
+  double estimate, tolerance;
+  std::string reason;
+};
 
 struct BodyTrajectory {
   MatrixXd displacement;  // [m] 3 p x n_t at EvaluationPoints::all()

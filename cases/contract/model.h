@@ -12,8 +12,8 @@ namespace mb {
 // Fixed quadrature in the exact shape, the same for every mesh: volume, then surface, then the scene's probes.
 struct EvaluationPoints {
   Quadrature volume, surface;
-  Matrix3Xd probes;             // [m] 3 x number of probes of this body
-  Matrix3Xd all() const;        // 3 x (volume + surface + probes)
+  Matrix3Xd probes;       // [m] 3 x number of probes of this body
+  Matrix3Xd all() const;  // 3 x (volume + surface + probes)
   Index size() const;
 };
 EvaluationPoints evaluation_points(const Scene& scene, const Body& body);
@@ -25,9 +25,9 @@ class FullModel {
   virtual ~FullModel() = default;
   virtual const System& system() const = 0;
   virtual SparseMatrix displacement_at(const Matrix3Xd& points) const = 0;  // 3 p x n: xyz of point 0, of point 1, ...
-  virtual SparseMatrix strain_at(const Matrix3Xd& points) const = 0;        // 6 p x n: Voigt xx yy zz yz xz xy, engineering
+  virtual SparseMatrix strain_at(const Matrix3Xd& points) const = 0;  // 6 p x n: Voigt xx yy zz yz xz xy, engineering
   virtual Index n_cells() const = 0;
-  virtual double mesh_volume() const = 0;                                   // [m^3]
+  virtual double mesh_volume() const = 0;  // [m^3]
 };
 
 struct BodyModel {

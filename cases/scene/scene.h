@@ -1,4 +1,5 @@
-// A scene: what happens, stated once, simulated in full by the truth. Values only; read_toml makes them from a case file.
+// A scene: what happens, stated once, simulated in full by the truth. Values only; read_toml makes them from a case
+// file.
 #pragma once
 
 #include <array>
@@ -16,7 +17,8 @@
 namespace mb {
 
 // Hexahedra of degree 1 to 4. cells: box {along x, along y, along z}; cylinder {edge splits of the five blocks of the
-// disc (a power of two), layers along z}: 5 splits^2 layers cells; sphere {edge splits of its seven blocks (a power of two)}.
+// disc (a power of two), layers along z}: 5 splits^2 layers cells; sphere {edge splits of its seven blocks (a power of
+// two)}.
 struct Resolution {
   int degree;              // in [1, 4]
   std::vector<int> cells;  // each in [1, 256]
@@ -93,7 +95,7 @@ struct Scene {
   TruthSettings truth;
   Study study;
   std::vector<Check> checks;
-  std::string profile;        // "quick", "standard" or "full"
+  std::string profile;  // "quick", "standard" or "full"
 };
 
 VectorXd frame_times(const Scene& scene);   // [s] 0, 1/rate, ... up to the duration

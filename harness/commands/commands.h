@@ -12,19 +12,32 @@
 
 namespace mb {
 
-struct Console { std::ostream &out, &err; };
+struct Console {
+  std::ostream &out, &err;
+};
 void print(const CaseErrors& errors, std::ostream& err);  // every diagnostic of a case file
 
-struct ListOptions { std::string pattern; /* part of the name; empty: all */ };
-struct CheckOptions { std::vector<std::string> files; std::string profile = "quick"; };
-struct ModesOptions { std::string case_name, body; int count = 30; bool json = false; };
+struct ListOptions {
+  std::string pattern; /* part of the name; empty: all */
+};
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string profile = "quick";
+};
+struct ModesOptions {
+  std::string case_name, body;
+  int count = 30;
+  bool json = false;
+};
 struct RunCommandOptions {
   std::vector<std::string> cases;  // names or files; empty: every case of the catalogue
   std::string profile = "quick", store = "results";
   bool again = false, plan = false;
   std::function<bool()> interrupted;
 };
-struct ReportOptions { std::string directory = "report", store = "results"; };
+struct ReportOptions {
+  std::string directory = "report", store = "results";
+};
 
 int list_command(const ListOptions&, const Catalogue&, const Console&);
 int check_command(const CheckOptions&, const Catalogue&, const Console&);

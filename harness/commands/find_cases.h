@@ -9,7 +9,9 @@
 namespace mb {
 
 // A name that is no case; what() suggests the nearest.
-class UnknownCase : public std::runtime_error { using std::runtime_error::runtime_error; };
+class UnknownCase : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // Files of all cases, sorted by name. Empty where no folder of cases is found.
 std::vector<std::filesystem::path> all_cases();

@@ -31,7 +31,8 @@ void print_table(const Modes& modes, Index count, std::ostream& out) {
                modes.residual[i], i < modes.n_rigid ? "rigid" : "elastic");
 }
 
-void print_json(const Scene& scene, const Body& body, Index n_dofs, const Modes& modes, Index count, std::ostream& out) {
+void print_json(const Scene& scene, const Body& body, Index n_dofs, const Modes& modes, Index count,
+                std::ostream& out) {
   Json list = Json::array();
   for (Index i = 0; i < count; ++i)
     list.push_back({{"omega", modes.omega[i]},

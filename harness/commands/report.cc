@@ -37,7 +37,8 @@ std::map<std::string, std::string> definitions() {
       "What is done once per body and mesh before the first step: factorisations, eigensolve with its gate, "
       "projection. Assembly, which all share, is left out. One run.";
   docs["load-error"] =
-      "Largest error, relative to the peak, in representing the load by lines and cosines: 0 for all histories but chirps "
+      "Largest error, relative to the peak, in representing the load by lines and cosines: 0 for all histories but "
+      "chirps "
       "and expressions, which are resampled.";
   return docs;
 }
@@ -48,15 +49,15 @@ int report_command(const ReportOptions& options, const Catalogue& catalogue, con
   const Store store(options.store);
   ReportInput input{{}, scenes_in(store, catalogue, console.err), {}, definitions()};
   StoredResults stored = current_records(store, input.scenes);
-  if (stored.n_other > 0)
-    fmt::print(console.err, "{} records of other settings or builds left out\n", stored.n_other);
+  if (stored.n_other > 0) fmt::print(console.err, "{} records of other settings or builds left out\n", stored.n_other);
   for (const RefusedLine& line : stored.refused)
     fmt::print(console.err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
   input.records = std::move(stored.records);
   input.environment = input.records.empty() ? provenance("none") : input.records.front().provenance;
   for (const auto& file : write_report(input, options.directory)) fmt::print(console.out, "{}\n", file.string());
   if (!page_available())
-    fmt::print(console.err, "report.html is not written: the page was not built (it needs npm when Modalbench is built)\n");
+    fmt::print(console.err,
+               "report.html is not written: the page was not built (it needs npm when Modalbench is built)\n");
   return 0;
 }
 

@@ -32,7 +32,8 @@ std::vector<std::shared_ptr<const Scene>> scenes_of(const RunCommandOptions& opt
 void print_plan(const Scene& scene, const Store& store, std::ostream& out) {
   for (const Contender& contender : contenders(scene)) {
     const std::string run = run_hash(scene, contender);
-    fmt::print(out, "{}  {:<8} {} · {}\n", run, store.has_records(run) ? "stored" : "to run", scene.name, label(contender));
+    fmt::print(out, "{}  {:<8} {} · {}\n", run, store.has_records(run) ? "stored" : "to run", scene.name,
+               label(contender));
   }
 }
 
@@ -61,7 +62,9 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
     for (const auto& scene : scenes) print_plan(*scene, store, console.out);
     return 0;
   }
-  const Progress progress = [&](const std::string& line) { fmt::print(console.err, "{}\n", line), console.err.flush(); };
+  const Progress progress = [&](const std::string& line) {
+    fmt::print(console.err, "{}\n", line), console.err.flush();
+  };
   int n_failed = 0;
   bool interrupted = false;
   std::vector<Scene> finished;

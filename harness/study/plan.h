@@ -11,7 +11,8 @@ namespace mb {
 // Grouped by resolution, so that each mesh is made once.
 std::vector<Contender> contenders(const Scene& scene);
 
-// The truths `finer` and, on the body's mesh, the one at the scene's tolerance, under whose names their own marks stand.
+// The truths `finer` and, on the body's mesh, the one at the scene's tolerance, under whose names their own marks
+// stand.
 std::vector<Contender> truth_contenders(const Scene& scene);
 
 std::string label(const Contender& contender);  // "static-correction r=32 exact Q4 1x4"

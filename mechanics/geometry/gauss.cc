@@ -8,7 +8,9 @@ namespace mb {
 namespace {
 
 // Legendre polynomial P_n and its derivative at x, |x| < 1, by Bonnet's recurrence.
-struct Legendre { double p, dp; };
+struct Legendre {
+  double p, dp;
+};
 Legendre legendre(int n, double x) {
   double previous = 1, current = x;
   for (int k = 2; k <= n; ++k) {

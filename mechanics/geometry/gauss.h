@@ -5,7 +5,9 @@
 
 namespace mb {
 
-struct Rule { VectorXd x, w; };  // [-] nodes ascending in (0, 1), weights sum to 1
-Rule gauss_legendre(int n);      // n >= 1, else std::invalid_argument
+struct Rule {
+  VectorXd x, w;
+};                           // [-] nodes ascending in (0, 1), weights sum to 1
+Rule gauss_legendre(int n);  // n >= 1, else std::invalid_argument
 
 }  // namespace mb

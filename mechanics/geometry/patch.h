@@ -12,7 +12,10 @@
 
 namespace mb {
 
-struct Disc { Vector3d centre; /* [m] body frame */ double radius; /* [m] > 0 */ };
+struct Disc {
+  Vector3d centre; /* [m] body frame */
+  double radius;   /* [m] > 0 */
+};
 
 struct Patch {
   std::string face;          // one of face_names(shape)

@@ -141,20 +141,20 @@ Quadrature ball_volume(const Sphere& s) {
 }  // namespace
 
 Quadrature volume_quadrature(const Shape& shape) {
-  return std::visit(overloaded{[](const Box& b) { return box_rule(b.size, n_volume); },
-                               [](const Cylinder& c) { return cylinder_volume(c); },
-                               [](const Sphere& s) { return ball_volume(s); }},
-                    shape);
+  return std::visit(
+      overloaded{[](const Box& b) { return box_rule(b.size, n_volume); },
+                 [](const Cylinder& c) { return cylinder_volume(c); }, [](const Sphere& s) { return ball_volume(s); }},
+      shape);
 }
 
 Quadrature surface_quadrature(const Shape& shape) {
-  return std::visit(overloaded{[](const Box& b) { return box_surface(b); },
-                               [](const Cylinder& c) { return cylinder_surface(c); },
-                               [](const Sphere& s) {
-                                 return sphere_rule(VectorXd::Constant(1, s.radius),
-                                                    VectorXd::Constant(1, 4 * pi * s.radius * s.radius), 10, 20);
-                               }},
-                    shape);
+  return std::visit(
+      overloaded{[](const Box& b) { return box_surface(b); }, [](const Cylinder& c) { return cylinder_surface(c); },
+                 [](const Sphere& s) {
+                   return sphere_rule(VectorXd::Constant(1, s.radius),
+                                      VectorXd::Constant(1, 4 * pi * s.radius * s.radius), 10, 20);
+                 }},
+      shape);
 }
 
 }  // namespace mb

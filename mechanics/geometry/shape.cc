@@ -23,18 +23,22 @@ double extent(const Shape& shape) {
 }
 
 std::vector<std::string> face_names(const Shape& shape) {
-  return std::visit(
-      overloaded{[](const Box&) -> std::vector<std::string> {
-                   return {"x-min", "x-max", "y-min", "y-max", "z-min", "z-max"};
-                 },
-                 [](const Cylinder&) -> std::vector<std::string> { return {"side", "z-min", "z-max"}; },
-                 [](const Sphere&) -> std::vector<std::string> { return {"surface"}; }},
-      shape);
+  return std::visit(overloaded{[](const Box&) -> std::vector<std::string> {
+                                 return {"x-min", "x-max", "y-min", "y-max", "z-min", "z-max"};
+                               },
+                               [](const Cylinder&) -> std::vector<std::string> {
+                                 return {"side", "z-min", "z-max"};
+                               },
+                               [](const Sphere&) -> std::vector<std::string> { return {"surface"}; }},
+                    shape);
 }
 
 namespace {
 
-struct AxisFace { int axis; double sign; };
+struct AxisFace {
+  int axis;
+  double sign;
+};
 
 // "y-max" -> {1, +1}; the name is known to be one of the shape's plane faces.
 AxisFace axis_face(const std::string& face) { return {face[0] - 'x', face.ends_with("max") ? 1.0 : -1.0}; }
@@ -46,10 +50,10 @@ void require_face(const Shape& shape, const std::string& face) {
 }
 
 double half_length(const Shape& shape, int axis) {
-  return std::visit(overloaded{[&](const Box& b) { return 0.5 * b.size[axis]; },
-                               [](const Cylinder& c) { return 0.5 * c.length; },
-                               [](const Sphere& s) { return s.radius; }},
-                    shape);
+  return std::visit(
+      overloaded{[&](const Box& b) { return 0.5 * b.size[axis]; }, [](const Cylinder& c) { return 0.5 * c.length; },
+                 [](const Sphere& s) { return s.radius; }},
+      shape);
 }
 
 }  // namespace

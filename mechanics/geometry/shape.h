@@ -13,9 +13,16 @@
 
 namespace mb {
 
-struct Box { Vector3d size; /* [m] edge lengths along x, y, z, each > 0 */ };
-struct Cylinder { double radius; /* [m] > 0 */ double length; /* [m] > 0, along z */ };
-struct Sphere { double radius; /* [m] > 0 */ };
+struct Box {
+  Vector3d size; /* [m] edge lengths along x, y, z, each > 0 */
+};
+struct Cylinder {
+  double radius; /* [m] > 0 */
+  double length; /* [m] > 0, along z */
+};
+struct Sphere {
+  double radius; /* [m] > 0 */
+};
 using Shape = std::variant<Box, Cylinder, Sphere>;
 
 double volume(const Shape& shape);  // [m^3]

@@ -15,8 +15,8 @@ struct Material {
   double density;         // [kg/m^3] > 0
 };
 
-double shear_modulus(const Material& material);          // [Pa]
-Matrix6d elasticity_matrix(const Material& material);    // [Pa] sigma = D eps, SPD
-double shear_wave_speed(const Material& material);       // [m/s] sqrt(mu/rho)
+double shear_modulus(const Material& material);        // [Pa]
+Matrix6d elasticity_matrix(const Material& material);  // [Pa] sigma = D eps, SPD
+double shear_wave_speed(const Material& material);     // [m/s] sqrt(mu/rho)
 
 }  // namespace mb

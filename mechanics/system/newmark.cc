@@ -9,7 +9,9 @@ namespace mb {
 
 namespace {
 
-struct State { VectorXd u, v, a; };
+struct State {
+  VectorXd u, v, a;
+};
 
 class Newmark final : public Stepper {
  public:

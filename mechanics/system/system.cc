@@ -27,10 +27,14 @@ double strain_energy(const System& system, const VectorXd& u) { return 0.5 * u.d
 
 const char* to_string(Status status) {
   switch (status) {
-    case Status::ok: return "ok";
-    case Status::not_finite: return "not_finite";
-    case Status::no_convergence: return "no_convergence";
-    case Status::too_many_steps: return "too_many_steps";
+    case Status::ok:
+      return "ok";
+    case Status::not_finite:
+      return "not_finite";
+    case Status::no_convergence:
+      return "no_convergence";
+    case Status::too_many_steps:
+      return "too_many_steps";
   }
   return "unknown";
 }

@@ -16,8 +16,8 @@
 namespace mb {
 
 struct System {
-  SparseMatrix M;          // [kg] n x n, SPD, full storage
-  SparseMatrix K;          // [N/m] n x n, symmetric positive semi-definite, K R = 0
+  SparseMatrix M;  // [kg] n x n, SPD, full storage
+  SparseMatrix K;  // [N/m] n x n, symmetric positive semi-definite, K R = 0
   Rayleigh damping;
   MatrixXd R;              // n x m, rigid modes which the supports leave free, R^T M R = I; m = 6 for a free body
   MatrixXd F;              // [N] n x number of loads
@@ -38,11 +38,13 @@ class LoadFactors {
   mutable VectorXd s_;
 };
 
-double kinetic_energy(const System& system, const VectorXd& v);   // [J]
-double strain_energy(const System& system, const VectorXd& u);    // [J]
+double kinetic_energy(const System& system, const VectorXd& v);  // [J]
+double strain_energy(const System& system, const VectorXd& u);   // [J]
 
 // What an integrator did; counts, never seconds.
-struct Work { long steps = 0, rejected = 0, factorisations = 0, solves = 0, load_evaluations = 0; };
+struct Work {
+  long steps = 0, rejected = 0, factorisations = 0, solves = 0, load_evaluations = 0;
+};
 
 enum class Status { ok, not_finite, no_convergence, too_many_steps };
 const char* to_string(Status status);

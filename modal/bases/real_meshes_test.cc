@@ -57,7 +57,8 @@ TEST(FreeCubeVerification, SameMesh) {
     ASSERT_EQ(modes.n_rigid, 6);
     for (Index i = 0; i < 20; ++i) {
       const double expected = std::stod(row[static_cast<size_t>(7 + i)]);
-      EXPECT_NEAR(modes.omega[6 + i] / shear_wave_speed(material), expected, 1e-8 * expected) << row[1] << " " << n << " " << i;
+      EXPECT_NEAR(modes.omega[6 + i] / shear_wave_speed(material), expected, 1e-8 * expected)
+          << row[1] << " " << n << " " << i;
     }
   }
 }

@@ -4,8 +4,8 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 
@@ -60,8 +60,8 @@ int position(const SparseMatrix& pattern, int a, int b) {
 
 // N and its gradients at the quadrature points of one cell, rows: points, columns: nodes; gradients times sqrt(w).
 struct CellValues {
-  MatrixXd N;                    // sqrt(w) N
-  std::array<MatrixXd, 3> dN;    // sqrt(w) d_k N
+  MatrixXd N;                  // sqrt(w) N
+  std::array<MatrixXd, 3> dN;  // sqrt(w) d_k N
 };
 void evaluate(const dealii::FEValues<3>& values, CellValues& cell) {
   for (unsigned q = 0; q < values.n_quadrature_points; ++q) {
@@ -101,7 +101,8 @@ void scatter(const SparseMatrix& pattern, const Indices& ids, const MatrixXd& ma
   double* const k = sum.K.valuePtr();
   for (Index b = 0; b < mass.cols(); ++b)
     for (Index a = 0; a < mass.rows(); ++a) {
-      const int row = static_cast<int>(ids[static_cast<size_t>(a)]), col = static_cast<int>(ids[static_cast<size_t>(b)]);
+      const int row = static_cast<int>(ids[static_cast<size_t>(a)]),
+                col = static_cast<int>(ids[static_cast<size_t>(b)]);
       const int at = position(pattern, row, col);
       for (int j = 0; j < 3; ++j) {
         m[sum.M.outerIndexPtr()[3 * col + j] + at] += mass(a, b);
@@ -144,8 +145,8 @@ VectorXd integrate_patch(const Discretisation& d, const Patch& patch,
   // The weight of a disc is a polynomial of degree 4 inside and zero outside: finer than the element needs.
   const dealii::QGauss<2> gauss(d.element.degree + (patch.disc ? 6 : 2));
   dealii::FEFaceValues<3> values(d.mapping, d.element, gauss,
-                                 dealii::update_values | dealii::update_JxW_values |
-                                     dealii::update_quadrature_points | dealii::update_normal_vectors);
+                                 dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points |
+                                     dealii::update_normal_vectors);
   const auto id = static_cast<unsigned>(d.boundary_id(patch.face));
   VectorXd load = VectorXd::Zero(d.n_dofs());
   Indices ids(d.element.n_dofs_per_cell());

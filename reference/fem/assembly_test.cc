@@ -13,15 +13,19 @@ namespace {
 const Material rubber{2e4, 0.45, 1100};
 const Shape box = Box{{0.3, 0.2, 0.5}}, cylinder = Cylinder{0.05, 0.2}, sphere = Sphere{0.07};
 
-struct Mesh { Shape shape; Resolution resolution; double tolerance; };
+struct Mesh {
+  Shape shape;
+  Resolution resolution;
+  double tolerance;
+};
 // The integrands of the divergence theorem on a cell are polynomials of degree 3p - 1 per direction, the quadrature is
 // exact to 2p + 1: for p <= 2, or straight cells, only rounding is left; beyond, the quadrature error of curved cells,
 // which falls fast as they are split.
-const std::vector<Mesh> meshes = {{box, {1, {3, 2, 4}}, 1e-13},      {box, {4, {1, 1, 2}}, 1e-13},
-                                  {cylinder, {1, {2, 3}}, 1e-13},    {cylinder, {2, {1, 2}}, 1e-13},
-                                  {cylinder, {3, {1, 2}}, 1e-5},     {cylinder, {4, {1, 2}}, 1e-5},
-                                  {cylinder, {3, {2, 4}}, 1e-6},     {cylinder, {4, {2, 4}}, 1e-6},
-                                  {sphere, {1, {2}}, 1e-13},         {sphere, {2, {2}}, 1e-13}};
+const std::vector<Mesh> meshes = {{box, {1, {3, 2, 4}}, 1e-13},   {box, {4, {1, 1, 2}}, 1e-13},
+                                  {cylinder, {1, {2, 3}}, 1e-13}, {cylinder, {2, {1, 2}}, 1e-13},
+                                  {cylinder, {3, {1, 2}}, 1e-5},  {cylinder, {4, {1, 2}}, 1e-5},
+                                  {cylinder, {3, {2, 4}}, 1e-6},  {cylinder, {4, {2, 4}}, 1e-6},
+                                  {sphere, {1, {2}}, 1e-13},      {sphere, {2, {2}}, 1e-13}};
 
 // Node values of the displacement u = G x.
 VectorXd linear_field(const Discretisation& d, const Eigen::Matrix3d& G) {
@@ -29,11 +33,13 @@ VectorXd linear_field(const Discretisation& d, const Eigen::Matrix3d& G) {
   return Eigen::Map<const VectorXd>(u.data(), u.size());
 }
 
-const Eigen::Matrix3d gradient = (Eigen::Matrix3d() << 1e-2, 3e-3, -2e-3, 5e-3, -4e-3, 1e-3, 7e-3, -6e-3, 8e-3).finished();
+const Eigen::Matrix3d gradient =
+    (Eigen::Matrix3d() << 1e-2, 3e-3, -2e-3, 5e-3, -4e-3, 1e-3, 7e-3, -6e-3, 8e-3).finished();
 
 Eigen::Matrix<double, 6, 1> voigt_strain(const Eigen::Matrix3d& G) {
   return (Eigen::Matrix<double, 6, 1>() << G(0, 0), G(1, 1), G(2, 2), G(1, 2) + G(2, 1), G(0, 2) + G(2, 0),
-          G(0, 1) + G(1, 0)).finished();
+          G(0, 1) + G(1, 0))
+      .finished();
 }
 
 // Patch test: a linear displacement has constant stress, so K u balances the tractions sigma n on the boundary.
@@ -50,7 +56,8 @@ TEST(PatchTest, LinearDisplacementBalancesConstantStress) {
       for (Index a = 0; a < d.n_nodes(); ++a) f.segment<3>(3 * a) += sigma * normal.segment<3>(3 * a);
     }
     const VectorXd residual = matrices.K * linear_field(d, gradient) - f;
-    EXPECT_LT(residual.norm(), mesh.tolerance * f.norm()) << to_string(mesh.resolution) << " of shape " << mesh.shape.index();
+    EXPECT_LT(residual.norm(), mesh.tolerance * f.norm())
+        << to_string(mesh.resolution) << " of shape " << mesh.shape.index();
   }
 }
 
@@ -106,11 +113,11 @@ TEST(Supports, LeaveTheRigidMotionsTheyDoNotHold) {
   using K = Support::Kind;
   const Patch bottom{"z-min", {}}, top{"z-max", {}};
   EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::fixed, bottom}}), 0);
-  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::sliding, bottom}}), 3);                        // two shifts, one turn
-  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::mean, bottom}}), 5);                           // no axial shift
-  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::mean, bottom}, {K::mean, top}}), 5);           // the same shift
+  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::sliding, bottom}}), 3);               // two shifts, one turn
+  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::mean, bottom}}), 5);                  // no axial shift
+  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::mean, bottom}, {K::mean, top}}), 5);  // the same shift
   const Patch corner{"z-min", Disc{{0.02, 0.01, -0.1}, 0.02}}, other{"z-min", Disc{{-0.02, 0, -0.1}, 0.02}};
-  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::mean, corner}, {K::mean, other}}), 4);         // and one tilt
+  EXPECT_EQ(free_motions(cylinder, {2, {1, 2}}, {{K::mean, corner}, {K::mean, other}}), 4);  // and one tilt
   EXPECT_EQ(free_motions(box, {1, {2, 2, 2}}, {{K::sliding, bottom}, {K::sliding, {"x-min", {}}}}), 1);
 }
 
@@ -118,10 +125,12 @@ TEST(Evaluation, LinearFieldsAreReproducedAtEveryPoint) {
   for (const Mesh& mesh : meshes) {
     const Discretisation d(mesh.shape, mesh.resolution);
     for (const Quadrature& q : {volume_quadrature(mesh.shape), surface_quadrature(mesh.shape)}) {
-      const VectorXd u = linear_field(d, gradient), at = displacement_at(d, q.points) * u, strain = strain_at(d, q.points) * u;
+      const VectorXd u = linear_field(d, gradient), at = displacement_at(d, q.points) * u,
+                     strain = strain_at(d, q.points) * u;
       const Matrix3Xd expected = gradient * q.points;
       // Newton's inversion of the mapping stops at about 1e-12 of the cell.
-      EXPECT_LT((at - Eigen::Map<const VectorXd>(expected.data(), expected.size())).cwiseAbs().maxCoeff(), 1e-11 * extent(mesh.shape));
+      EXPECT_LT((at - Eigen::Map<const VectorXd>(expected.data(), expected.size())).cwiseAbs().maxCoeff(),
+                1e-11 * extent(mesh.shape));
       EXPECT_LT((strain - voigt_strain(gradient).replicate(q.points.cols(), 1)).cwiseAbs().maxCoeff(), 1e-11);
     }
   }

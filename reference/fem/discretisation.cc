@@ -25,8 +25,8 @@ int refinements(int splits) { return std::bit_width(static_cast<unsigned>(splits
 
 void make(Mesh& mesh, const Box& box, const std::vector<int>& cells) {
   const Vector3d h = 0.5 * box.size;
-  dealii::GridGenerator::subdivided_hyper_rectangle(
-      mesh, std::vector<unsigned>(cells.begin(), cells.end()), Point(-h[0], -h[1], -h[2]), Point(h[0], h[1], h[2]));
+  dealii::GridGenerator::subdivided_hyper_rectangle(mesh, std::vector<unsigned>(cells.begin(), cells.end()),
+                                                    Point(-h[0], -h[1], -h[2]), Point(h[0], h[1], h[2]));
 }
 
 // Five blocks in the disc, each edge split, extruded along z.

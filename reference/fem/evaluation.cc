@@ -34,7 +34,10 @@ Location locate(const Discretisation& d, const Cell& cell, const Point& x) {
   }
 }
 
-struct Located { Cell cell; Point xi; };
+struct Located {
+  Cell cell;
+  Point xi;
+};
 Located nearest_cell(const Discretisation& d, const Point& x) {
   Located best;
   double outside = std::numeric_limits<double>::infinity();

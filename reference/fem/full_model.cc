@@ -30,9 +30,7 @@ class DealiiModel final : public FullModel {
   SparseMatrix displacement_at(const Matrix3Xd& points) const override {
     return fem::displacement_at(mesh_, points) * supports_.T;
   }
-  SparseMatrix strain_at(const Matrix3Xd& points) const override {
-    return fem::strain_at(mesh_, points) * supports_.T;
-  }
+  SparseMatrix strain_at(const Matrix3Xd& points) const override { return fem::strain_at(mesh_, points) * supports_.T; }
   Index n_cells() const override { return mesh_.mesh.n_active_cells(); }
   double mesh_volume() const override { return mesh_volume_; }
 
@@ -63,8 +61,7 @@ Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resoluti
   for (const Body& body : scene->bodies) {
     const auto full = full_model(*scene, body, resolution ? *resolution : body.resolution);
     const EvaluationPoints points = evaluation_points(*scene, body);
-    model.bodies.push_back(
-        {full, points, full->displacement_at(points.all()), full->strain_at(points.volume.points)});
+    model.bodies.push_back({full, points, full->displacement_at(points.all()), full->strain_at(points.volume.points)});
   }
   return model;
 }

@@ -14,8 +14,8 @@ struct Supports {
 // Throws std::invalid_argument if nothing stays free.
 Supports condense(const Discretisation& d, const std::vector<Support>& supports);
 
-// Rigid motions which T leaves free, n_free x m, orthonormal in M (n_free x n_free): translations and rotations about the
-// centroid, of which those that violate a support (relative 1e-10) are removed.
+// Rigid motions which T leaves free, n_free x m, orthonormal in M (n_free x n_free): translations and rotations about
+// the centroid, of which those that violate a support (relative 1e-10) are removed.
 MatrixXd free_rigid_modes(const Discretisation& d, const Supports& supports, const SparseMatrix& M);
 
 }  // namespace mb::fem
