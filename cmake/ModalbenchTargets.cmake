@@ -39,10 +39,11 @@ function(mb_library name)
   list(FILTER sources EXCLUDE REGEX "_(test|bench|main|fuzz)\\.cc$")
   add_library(mb_${name} STATIC ${sources})
   set_target_properties(mb_${name} PROPERTIES EXPORT_NAME ${name})
-  target_link_libraries(mb_${name} PUBLIC mb_options ${ARG_LINK})
+  # A folder's own libraries come first on the link line: deal.II brings another build of HDF5 with the same symbols.
   foreach(library IN LISTS ARG_PRIVATE_LINK)
     target_link_libraries(mb_${name} PRIVATE ${library})
   endforeach()
+  target_link_libraries(mb_${name} PUBLIC mb_options ${ARG_LINK})
   target_link_libraries(mb_${name} PRIVATE $<BUILD_INTERFACE:mb_warnings>)
 endfunction()
 

@@ -76,6 +76,7 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
 void add_report(CLI::App& app, const Catalogue& catalogue, Action& action) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command = app.add_subcommand("report", "write the report of what is stored");
+  command->add_option("case", options->cases, "case names or files (default: those of the store, by name)");
   command->add_option("-o,--output", options->directory, "folder of the report")->capture_default_str();
   command->add_option("--store", options->store, "where results are kept")->capture_default_str();
   command->callback(
@@ -88,10 +89,7 @@ int guarded(const Action& action, const Console& console) try {
 } catch (const CaseErrors& errors) {
   print(errors, console.err);
   return 2;
-} catch (const UnknownCase& error) {
-  fmt::print(console.err, "modalbench: {}\n", error.what());
-  return 2;
-} catch (const std::invalid_argument& error) {
+} catch (const UsageError& error) {
   fmt::print(console.err, "modalbench: {}\n", error.what());
   return 2;
 } catch (const std::exception& error) {

@@ -155,7 +155,9 @@ TEST(ProgramCases, RunsResumesReportsAndChecks) {
   written(scratch / "cases", "");  // a file where a folder is looked for
   const Said report = modalbench(scratch.path(), {"report"});
   EXPECT_EQ(report.code, 0) << report.err;
-  EXPECT_THAT(report.err, HasSubstr("case file is not here"));
+  EXPECT_THAT(report.err, HasSubstr("left out; name its case file"));
+  EXPECT_EQ(modalbench(scratch.path(), {"report", "small.toml", "-o", "by-file"}).code, 0);
+  EXPECT_THAT(text(scratch / "by-file/report.md"), HasSubstr("1 of 1 check"));
   fs::remove(scratch / "cases");
   fs::create_directory(scratch / "cases");
   fs::copy(scratch / "small.toml", scratch / "cases/small.toml");
@@ -189,7 +191,7 @@ TEST(ProgramCases, ResampledLoadsRecordTheirError) {
   for (const Record& r : read_records(scratch / "results/results.jsonl").records) {
     if (r.metric != "load-error") continue;
     EXPECT_GT(r.value, 0);
-    EXPECT_LE(r.value, 1e-6);  // the default load tolerance
+    EXPECT_LE(r.value, 1e-5);  // the default load tolerance
     ++n_found;
   }
   EXPECT_EQ(n_found, 2);
@@ -240,7 +242,6 @@ TEST(ProgramCases, UsageErrorsAreExitCodeTwo) {
   EXPECT_EQ(modalbench(scratch.path(), {"run", "no-such-case"}).code, 2);
   EXPECT_EQ(modalbench(scratch.path(), {"run", "missing.toml"}).code, 2);
   EXPECT_EQ(modalbench(scratch.path(), {"modes", "small.toml", "--count", "0"}).code, 2);
-  EXPECT_EQ(modalbench(scratch.path(), {"modes", "small.toml", "--count", "400"}).code, 2);
   const Said said = modalbench(scratch.path(), {"modes", "small.toml", "--body", "bdy"});
   EXPECT_EQ(said.code, 2);
   EXPECT_THAT(said.err, HasSubstr("did you mean 'body'"));

@@ -19,7 +19,7 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<cons
   for (const Record* answer : answers) {
     if (!is_usable(*answer)) {  // one failed part fails the whole check
       CheckResult failed{.case_name = scene.name, .check = check};
-      failed.status = answer->status == "ok" ? "not finite" : answer->status;
+      failed.status = reason(*answer);
       return failed;
     }
     const bool worst = !result.measured || margin(check, answer->value) < margin(check, result.value);

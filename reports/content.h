@@ -16,7 +16,7 @@ struct ReportInput {
   std::vector<Record> records;
   std::vector<Scene> scenes;                       // with their checks and prose
   std::map<std::string, std::string> environment;  // commit, date, profile, processor, threads, blas, compiler
-  std::map<std::string, std::string> metric_docs;  // metric name -> definition
+  std::map<std::string, std::string> metric_docs;  // metric name, also of the times -> its only definition
 };
 
 // A check of a case with what was measured; where several bodies or probes answer it, the one furthest from its bound.
@@ -32,12 +32,17 @@ struct CheckResult {
 std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const std::vector<Record>& records);
 
 // For one reduced run: the cheapest full-order contender whose error is at most the reduced run's, by the same metric.
-// No interpolation between runs. Errors below their bar count as the bar. rival empty: none reached that error.
+// No interpolation between runs. Errors below their bar count as the bar. rival empty: none reached that error. The
+// near miss is the most exact of the full-order contenders that are cheaper than the rival: all of them miss that
+// error. Where cost rises with accuracy, a contender of exactly that error would cost something between the two.
 struct SpeedUp {
-  Record error, time;                    // of the reduced run
-  std::vector<Record> rival;             // {} or {error, time} of the cheapest full-order contender
-  double ratio = 0;                      // [-] rival time / time; 0 where no rival
-  double ratio_low = 0, ratio_high = 0;  // from the spreads of both times
+  Record error, time;             // of the reduced run
+  std::vector<Record> rival;      // {} or {error, time} of the cheapest full-order contender
+  std::vector<Record> near_miss;  // {} or {error, time}; {} where no rival
+  double ratio = 0;               // [-] rival time / time; 0 where no rival
+  double miss_ratio = 0;          // [-] near miss's time / time; 0 where no near miss
+  double ratio_low = 0;           // [-] from the spreads of both times; NaN where one is a single run's, without spread
+  double ratio_high = 0;          // [-] likewise
 };
 std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::string& metric);
 

@@ -85,7 +85,7 @@ Json run_json(const Analysis& analysis, const Run& run) {
   if (!run.online || !is_usable(*run.online)) return json;
   const double per = time_axis(analysis).per_simulated_second ? *simulated_seconds(analysis, run) : 1;
   json["time"] = run.online->value / per;
-  json["spread"] = run.online->error_bar.value_or(0) / per;
+  if (run.online->error_bar) json["spread"] = *run.online->error_bar / per;  // a single run has none
   return json;
 }
 

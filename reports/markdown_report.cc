@@ -10,7 +10,7 @@ namespace {
 std::string section(const Sheet& table, const std::string& heading, const std::string& empty) {
   std::string text = "## " + heading + "\n\n";
   if (table.rows.empty()) return text + empty + "\n\n";
-  for (const Sheet& part : split(table, 3)) {
+  for (const Sheet& part : split(table)) {
     text += "### " + markdown_text(part.title) + "\n\n";
     if (!part.note.empty()) text += markdown_text(part.note) + "\n\n";
     text += markdown(part) + "\n";
@@ -24,6 +24,7 @@ std::string cases_section(const Analysis& analysis) {
   for (const Scene& scene : analysis.input.scenes) {
     text += "- **" + markdown_text(scene.name) + "** (profile " + markdown_text(scene.profile) + ", " +
             format_number(scene.duration) + " s): " + markdown_text(scene.title) + ". " + markdown_text(scene.purpose);
+    for (const std::string& sentence : truth_sentences(analysis, scene)) text += " " + markdown_text(sentence);
     if (!scene.source.empty()) text += " Source: " + markdown_text(scene.source);
     text += "\n";
   }

@@ -33,6 +33,8 @@ std::string format_with_bar(double value, std::optional<double> bar) {
 }
 
 std::string format_record(const Record& record) {
+  if (record.status.starts_with("undefined")) return "undefined";
+  if (record.status.starts_with("failed")) return "failed";
   if (record.status != "ok") return "failed (" + record.status + ")";
   if (!std::isfinite(record.value)) return "failed (not finite)";
   return format_with_bar(record.value, record.error_bar);

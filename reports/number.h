@@ -21,7 +21,8 @@ std::string exact_number(double value);
 // No more digits than the bar supports (1 to 3); "<= bar" where |value| is below it.
 std::string format_with_bar(double value, std::optional<double> bar);
 
-// format_with_bar, or "failed (status)" where the record has no number to show.
+// format_with_bar; "failed (status)", "failed" or "undefined" where the record has no number to show. Reasons that are
+// sentences stand once, in the table of failures.
 std::string format_record(const Record& record);
 
 }  // namespace mb

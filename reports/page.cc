@@ -118,6 +118,7 @@ Json cases_json(const Analysis& analysis) {
                      {"title", scene.title},
                      {"purpose", scene.purpose},
                      {"source", scene.source},
+                     {"truth", truth_sentences(analysis, scene)},
                      {"duration", scene.duration},
                      {"frame_rate", scene.frame_rate},
                      {"samples_per_second", scene.samples_per_second}});

@@ -28,7 +28,7 @@ std::vector<Sheet> all_tables(const Analysis& analysis) {
 // Keys of a table that are spelled out in the titles of its parts: case, profile, truth.
 std::string latex_parts(const Sheet& table) {
   std::string text;
-  for (const Sheet& part : split(table, 3)) text += latex(part) + "\n";
+  for (const Sheet& part : split(table)) text += latex(part) + "\n";
   return text.empty() ? latex(table) : text;
 }
 

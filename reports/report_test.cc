@@ -2,11 +2,13 @@
 
 #include <fstream>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include "cases/json/record_json.h"
 #include "reports/figures.h"
 #include "reports/synthetic.h"
+#include "reports/verdict.h"
 
 namespace mb {
 namespace {
@@ -66,6 +68,70 @@ TEST_F(WriteReport, OpensWithTheVerdictAndNamesProfileTruthAndFailures) {
   EXPECT_THAT(text, HasSubstr("break-even"));
   EXPECT_THAT(text, HasSubstr("modalbench run cylinder-compression --profile quick"));
   EXPECT_THAT(text, Not(testing::ContainsRegex("[^a-z](nan|inf)[^a-z]")));
+}
+
+// A failure of several runs, one of a metric that has no meaning, and a number about the truth alone.
+ReportInput troubled_input() {
+  ReportInput input = synthetic::input();
+  for (Record& record : input.records) {
+    if (record.contender.resolution == Resolution{1, {1, 2}} && record.unit == "-") {
+      record.status = "failed: point lies in no cell";
+      record.value = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  Record undefined = synthetic::record("pose-rotation", std::nan(""), 0, synthetic::reduced("eigenmodes", 8));
+  undefined.status = "undefined: the body is not free";
+  Record of_truth = synthetic::record("truth-above-band", 7.5e-6, 0, synthetic::full(4, {2, 4}, 0));
+  of_truth.error_bar.reset();
+  of_truth.subject = "cylinder";
+  input.records.push_back(undefined);
+  input.records.push_back(of_truth);
+  return input;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST_F(WriteReport, ListsAReasonOnceWithTheRunsItStruck) {
+  write_report(troubled_input(), directory_);
+  const std::string text = read(directory_ / "report.md");
+  EXPECT_THAT(text, HasSubstr("6 runs failed. "));  // five of the new reason, one not finite; undefined is none
+  EXPECT_THAT(text,
+              HasSubstr("5 runs: point lies in no cell: Q1 1x2, newmark, 5 runs from step 0.02 s to step 0.00125"));
+  EXPECT_EQ(count(text, "point lies in no cell"), 2u);  // verdict and table
+  EXPECT_EQ(count(text, "undefined: the body is not free"), 1u);
+}
+
+TEST_F(WriteReport, TruthsAreNoContenders) {
+  write_report(troubled_input(), directory_);
+  EXPECT_THAT(read(directory_ / "report.md"), HasSubstr("Of the truth finer: truth-above-band 7.50e-6 (cylinder)."));
+  for (const char* name : {"data/full-order.csv", "data/error-against-modes.csv"}) {
+    EXPECT_THAT(read(directory_ / name), Not(HasSubstr("truth-above-band"))) << name;
+    EXPECT_THAT(read(directory_ / name), Not(HasSubstr("Q4 2x4"))) << name;
+  }
+  EXPECT_THAT(read(directory_ / "data/records.csv"), HasSubstr("truth-above-band"));
+  const Analysis analysis = analyse(troubled_input());
+  for (const Figure& figure : figures(analysis)) EXPECT_THAT(figure.name, Not(HasSubstr("truth-above-band")));
+  for (const Quantity& quantity : quantities(analysis)) EXPECT_NE(quantity.metric, "truth-above-band");
+}
+
+TEST(Definitions, StandOnceAndTimesComeFromTheirMetrics) {
+  ReportInput input = synthetic::input();
+  input.metric_docs["offline-time"] = "as measured";
+  std::set<std::string> terms;
+  for (const Definition& one : definitions(analyse(input))) {
+    EXPECT_TRUE(terms.insert(one.term).second) << one.term;
+    EXPECT_FALSE(one.text.empty()) << one.term;
+    EXPECT_NE(one.term, "offline time");
+    EXPECT_NE(one.term, "online time");
+  }
+  for (const char* term :
+       {"offline-time", "error bar", "r", "speed-up", "margin", "near miss", "break-even", "check"}) {
+    EXPECT_TRUE(terms.contains(term)) << term;
+  }
 }
 
 TEST_F(WriteReport, WithoutRecordsItSaysSo) {

@@ -27,16 +27,26 @@ struct Run {
   std::optional<Record> online, offline;  // [s]
 };
 
-// One entry a contender, a case and a profile; a later record of the same measure replaces an earlier one. Sorted by
-// case, profile, reduced before full order, method, integrator, modes, mesh and time step (largest first).
+// One entry a contender, a case and a profile; a later record of the same measure replaces an earlier one. Records of a
+// truth alone make no run: a truth is no contender. Sorted by case, profile, reduced before full order, method,
+// integrator, modes, mesh and time step (largest first).
 std::vector<Run> group_runs(const std::vector<Record>& records);
 
 bool same_contender(const Contender& a, const Contender& b);
+bool precedes(const Contender& a, const Contender& b);  // the order of group_runs within a case
 bool is_reduced(const Contender& contender);
-bool is_mark(const Record& record);                      // measured against a truth, unlike times and load errors
-bool is_usable(const Record& record);                     // status ok and a finite value
-double counted_error(const Record& record);               // |value|, or the error bar where that is larger
-std::string describe(const Contender& contender);         // "eigenmodes, r = 8", "Q2 1x4, newmark, step 1.25e-3 s"
-std::string describe_series(const Contender& contender);  // as drawn: "eigenmodes", "full order Q2, newmark"
+bool is_of_truth(const Record& record);      // says something of a truth alone: its metric is named truth-...
+bool is_mark(const Record& record);          // a contender against a truth, unlike times, load errors, truth-...
+bool is_usable(const Record& record);        // status ok and a finite value
+bool is_undefined(const Record& record);     // the metric has no meaning here: no fault of the contender
+double counted_error(const Record& record);  // |value|, or the error bar where that is larger
+
+// "too_many_steps"; of "failed: no such cell" what follows the colon; "not_finite" where an ok record has no value.
+std::string reason(const Record& record);
+
+std::string describe(const Contender& contender);          // family and setting: "Q2 1x4, newmark, step 0.00125 s"
+std::string describe_family(const Contender& contender);   // "eigenmodes", "Q2 1x4, newmark"
+std::string describe_setting(const Contender& contender);  // "r = 8", "step 0.00125 s", "rtol 1e-06"
+std::string describe_series(const Contender& contender);   // as drawn: "eigenmodes", "full order Q2, newmark"
 
 }  // namespace mb

@@ -65,12 +65,12 @@ Sheet without_empty_columns(const Sheet& table) {
   return without_columns(table, keep);
 }
 
-std::vector<Sheet> split(const Sheet& table, int n_keys) {
+std::vector<Sheet> split(const Sheet& table) {
   std::map<std::vector<std::string>, Sheet> groups;
   for (const auto& row : table.rows) {
     std::vector<std::string> key;
     std::string title = table.title;
-    for (std::size_t j = 0; j < static_cast<std::size_t>(n_keys); ++j) {
+    for (std::size_t j = 0; j < static_cast<std::size_t>(table.n_keys); ++j) {
       key.push_back(row[j].text);
       title += (j == 0 ? ": " : ", ") + table.columns[j].name + " " + row[j].text;
     }
@@ -78,7 +78,7 @@ std::vector<Sheet> split(const Sheet& table, int n_keys) {
     groups.try_emplace(key, std::move(empty)).first->second.rows.push_back(row);
   }
   std::vector<bool> keep(table.columns.size(), true);
-  std::fill_n(keep.begin(), n_keys, false);
+  std::fill_n(keep.begin(), table.n_keys, false);
   std::vector<Sheet> result;
   for (const auto& [key, group] : groups) {
     Sheet part = without_empty_columns(without_columns(group, keep));

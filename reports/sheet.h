@@ -26,9 +26,10 @@ struct Column {
 struct Sheet {
   std::string name;   // file stem
   std::string title;  // names case, profile and truth once the table is split
-  std::string note;   // one sentence on how to read it
+  std::string note;   // how to read it
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;  // each as long as columns
+  int n_keys = 3;                       // leading text columns that split() moves into titles: case, profile, truth
 };
 
 Cell text_cell(std::string text);
@@ -40,9 +41,9 @@ Cell record_cell(const Record* record);         // "" where none, "failed (...)"
 // Without the columns that are empty in every row.
 Sheet without_empty_columns(const Sheet& table);
 
-// One table for every combination of the leading `n_keys` text columns, which move into the title; the largest error
-// bar of every error column moves into the note.
-std::vector<Sheet> split(const Sheet& table, int n_keys);
+// One table for every combination of the leading keys, which move into the title; the largest error bar of every error
+// column moves into the note.
+std::vector<Sheet> split(const Sheet& table);
 
 std::string header(const Column& column);  // "online time [s]"
 

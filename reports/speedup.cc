@@ -21,21 +21,51 @@ bool cheaper(const Candidate& a, const Candidate& b) {
 
 bool is_timed(const Run& run) { return run.online && is_usable(*run.online) && run.online->value > 0; }
 
-SpeedUp against(const Candidate& reduced, const std::vector<Candidate>& rivals) {
-  SpeedUp result{.error = *reduced.error, .time = *reduced.run->online, .rival = {}};
+const Candidate* rival_of(const Candidate& reduced, const std::vector<Candidate>& candidates) {
   const Candidate* best = nullptr;
-  for (const Candidate& rival : rivals) {
-    if (counted_error(*rival.error) > counted_error(*reduced.error)) continue;
-    if (!best || cheaper(rival, *best)) best = &rival;
+  for (const Candidate& one : candidates) {
+    if (counted_error(*one.error) > counted_error(*reduced.error)) continue;
+    if (!best || cheaper(one, *best)) best = &one;
   }
-  if (!best) return result;
-  const Record& slow = *best->run->online;
-  const double t = result.time.value, spread = result.time.error_bar.value_or(0);
-  const double t_rival = slow.value, spread_rival = slow.error_bar.value_or(0);
-  result.rival = {*best->error, slow};
-  result.ratio = t_rival / t;
-  result.ratio_low = std::max(0.0, t_rival - spread_rival) / (t + spread);
-  result.ratio_high = spread < t ? (t_rival + spread_rival) / (t - spread) : std::numeric_limits<double>::infinity();
+  return best;
+}
+
+// The rival is the cheapest that reaches the error: whatever is cheaper misses it.
+const Candidate* near_miss_of(const Candidate& rival, const std::vector<Candidate>& candidates) {
+  const Candidate* best = nullptr;
+  for (const Candidate& one : candidates) {
+    if (one.run->online->value >= rival.run->online->value) continue;
+    const double e = counted_error(*one.error), least = best ? counted_error(*best->error) : e;
+    if (!best || e < least || (e == least && cheaper(one, *best))) best = &one;
+  }
+  return best;
+}
+
+struct Range {
+  double low, high;
+};
+
+Range ratio_range(const Record& time, const Record& slow) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  if (!time.error_bar || !slow.error_bar) return {nan, nan};
+  const double t = time.value, spread = *time.error_bar;
+  return {std::max(0.0, slow.value - *slow.error_bar) / (t + spread),
+          spread < t ? (slow.value + *slow.error_bar) / (t - spread) : infinity};
+}
+
+SpeedUp against(const Candidate& reduced, const std::vector<Candidate>& candidates) {
+  SpeedUp result{.error = *reduced.error, .time = *reduced.run->online, .rival = {}, .near_miss = {}};
+  const Candidate* rival = rival_of(reduced, candidates);
+  if (!rival) return result;
+  result.rival = {*rival->error, *rival->run->online};
+  result.ratio = rival->run->online->value / result.time.value;
+  const Range range = ratio_range(result.time, result.rival[1]);
+  result.ratio_low = range.low;
+  result.ratio_high = range.high;
+  if (const Candidate* miss = near_miss_of(*rival, candidates)) {
+    result.near_miss = {*miss->error, *miss->run->online};
+    result.miss_ratio = miss->run->online->value / result.time.value;
+  }
   return result;
 }
 
@@ -70,6 +100,12 @@ std::vector<SpeedUp> cheapest_within(const std::vector<SpeedUp>& all, const std:
   std::vector<SpeedUp> results;
   for (const auto& [key, value] : best) results.push_back(value);
   return results;
+}
+
+double rival_margin(const SpeedUp& one) {
+  const double own = counted_error(one.error), other = counted_error(one.rival.at(0));
+  if (own == other) return 1;  // also where both are 0
+  return other > 0 ? own / other : std::numeric_limits<double>::infinity();
 }
 
 std::optional<double> median_ratio(const std::vector<SpeedUp>& all) {

@@ -10,6 +10,10 @@ namespace mb {
 // Of every case and profile the cheapest reduced run whose counted error against `truth` is at most `target` [-].
 std::vector<SpeedUp> cheapest_within(const std::vector<SpeedUp>& all, const std::string& truth, double target);
 
+// [-] >= 1: counted error of the reduced run over its rival's, infinite where the latter is 0. Contenders are steps and
+// meshes of a sweep, so that the rival is always somewhat too exact. Needs a rival.
+double rival_margin(const SpeedUp& one);
+
 // Median over those that have a rival; none where no run has one.
 std::optional<double> median_ratio(const std::vector<SpeedUp>& all);
 

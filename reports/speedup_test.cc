@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reports/synthetic.h"
+#include "reports/views.h"
 
 namespace mb {
 namespace {
@@ -103,6 +104,44 @@ TEST(SpeedUps, ASpreadAsLargeAsTheTimeLeavesTheRatioOpenAbove) {
   add(records, full(1, {1, 2}, 0.01), 0.001, 0, 3, 5);
   EXPECT_TRUE(std::isinf(only(records).ratio_high));
   EXPECT_EQ(only(records).ratio_low, 0);
+}
+
+TEST(SpeedUps, ATimeWithoutSpreadLeavesTheRatioWithoutRange) {
+  for (const std::size_t single : {1u, 3u}) {  // the time of the reduced run, that of its rival
+    std::vector<Record> records = one_reduced(0.01);
+    add(records, full(1, {1, 2}, 0.01), 0.001, 0, 20, 1);
+    records[single].error_bar.reset();
+    const SpeedUp result = only(records);
+    EXPECT_DOUBLE_EQ(result.ratio, 10);
+    EXPECT_TRUE(std::isnan(result.ratio_low) && std::isnan(result.ratio_high)) << single;
+    EXPECT_EQ(ratio_cell(result).text, "10.0 (single run)");
+  }
+}
+
+TEST(SpeedUps, TheNearMissIsTheMostExactOfThoseThatAreCheaperThanTheRival) {
+  std::vector<Record> records = one_reduced(0.01);
+  add(records, full(1, {1, 2}, 0.01), 0.5, 0, 1, 0);       // far off
+  add(records, full(2, {1, 2}, 0.01), 0.012, 0, 8, 0);     // just misses
+  add(records, full(2, {1, 2}, 0.005), 0.0025, 0, 20, 1);  // the rival
+  add(records, full(3, {1, 2}, 0.01), 0.011, 0, 25, 0);    // misses by less, but is dearer than the rival
+  const SpeedUp result = only(records);
+  ASSERT_EQ(result.near_miss.size(), 2u);
+  EXPECT_DOUBLE_EQ(result.near_miss[0].value, 0.012);
+  EXPECT_EQ(result.near_miss[1].metric, "online-time");
+  EXPECT_DOUBLE_EQ(result.miss_ratio, 4);
+  EXPECT_DOUBLE_EQ(rival_margin(result), 4);
+}
+
+TEST(SpeedUps, WithoutACheaperContenderThereIsNoNearMiss) {
+  std::vector<Record> records = one_reduced(0.01);
+  add(records, full(2, {1, 2}, 0.01), 0.02, 0, 20, 0);  // misses, and costs as much as the rival
+  add(records, full(3, {1, 2}, 0.01), 0.0, 0, 20, 0);
+  EXPECT_TRUE(only(records).near_miss.empty());
+  EXPECT_EQ(miss_ratio_cell(only(records)).text, "");
+  EXPECT_TRUE(std::isinf(rival_margin(only(records))));
+  EXPECT_EQ(margin_cell(only(records)).text, "unbounded");
+  EXPECT_TRUE(only(one_reduced(0.01)).near_miss.empty());
+  EXPECT_EQ(margin_cell(only(one_reduced(0.01))).text, "");
 }
 
 TEST(SpeedUps, HeadlineIsTheCheapestWithinTheTarget) {

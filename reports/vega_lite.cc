@@ -29,8 +29,9 @@ Json colour(const std::vector<std::string>& names) { return channel(names, palet
 // Whole powers of ten get a grid line and a label, 10 with an exponent; the ticks between get neither.
 constexpr const char* is_power_of_ten = "abs(log(datum.value)/LN10 - round(log(datum.value)/LN10)) < 1e-6";
 constexpr const char* exponents =
-    "['⁻¹⁶','⁻¹⁵','⁻¹⁴','⁻¹³','⁻¹²','⁻¹¹','⁻¹⁰','⁻⁹','⁻⁸','⁻⁷','⁻⁶','⁻⁵','⁻⁴','⁻³','⁻²','⁻¹','⁰','¹','²','³','⁴','⁵',"
-    "'⁶','⁷','⁸'][round(log(datum.value)/LN10) + 16]";
+    "['⁻¹⁶','⁻¹⁵','⁻¹⁴','⁻¹³','⁻¹²','⁻¹¹','⁻¹⁰',"
+    "'⁻⁹','⁻⁸','⁻⁷','⁻⁶','⁻⁵','⁻⁴','⁻³','⁻²','⁻¹',"
+    "'⁰','¹','²','³','⁴','⁵','⁶','⁷','⁸'][round(log(datum.value)/LN10) + 16]";
 
 Json logarithmic(const std::string& field, const std::string& axis_title) {
   const std::string label = std::string(is_power_of_ten) + " ? '10' + " + exponents + " : ''";
@@ -56,9 +57,9 @@ Json derived() {
        calculate("datum.below ? '<= ' + format(datum.bar, '.2~g') : format(datum.value, '.3~g') + "
                  "(datum.bar > 0 ? ' ± ' + format(datum.bar, '.2~g') : '')",
                  "error"),
-       calculate(
-           "isValid(datum.time) ? format(datum.time, '.3~g') + ' ± ' + format(datum.spread, '.1~g') : 'not timed'",
-           "cost")});
+       calculate("isValid(datum.time) ? format(datum.time, '.3~g') + "
+                 "(isValid(datum.spread) ? ' ± ' + format(datum.spread, '.1~g') : ', single run') : 'not timed'",
+                 "cost")});
 }
 
 Json tooltip(const std::string& error_title, const std::string& time_title) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 
 #include "reports/number.h"
 #include "reports/speedup.h"
@@ -40,6 +39,14 @@ std::string checks_sentence(const Verdict& verdict) {
   return text + ".";
 }
 
+// " over Q3 1x4, newmark, step 0.001 s, 2.9 times as exact (near miss Q3 1x2, newmark, step 0.002 s: error 0.012, 640)"
+std::string over(const SpeedUp& one) {
+  std::string text = " over " + describe(one.rival[0].contender) + ", " + margin_cell(one).text + " times as exact";
+  if (one.near_miss.empty()) return text;
+  return text + " (near miss " + describe(one.near_miss[0].contender) + ": error " + format_record(one.near_miss[0]) +
+         ", speed-up " + miss_ratio_cell(one).text + ")";
+}
+
 std::string speed_up_sentence(const Verdict& verdict) {
   const std::string at =
       "at " + format_number(100 * error_target, 1) + " % displacement error against " + headline_truth;
@@ -49,32 +56,37 @@ std::string speed_up_sentence(const Verdict& verdict) {
   for (const SpeedUp& one : verdict.at_target) {
     text += "; " + one.error.case_name + " (" + one.error.profile + ") " + describe(one.error.contender) + ": " +
             ratio_cell(one).text;
-    if (!one.rival.empty()) text += " over " + describe(one.rival[0].contender);
+    if (!one.rival.empty()) text += over(one);
   }
   return text + ".";
 }
 
-std::string failure_sentence(const Analysis& analysis, Verdict& verdict) {
-  std::set<std::string> reasons;
-  std::set<std::tuple<std::string, std::string, std::string>> runs;
-  const Sheet failures = failures_table(analysis);
-  for (const auto& row : failures.rows) {
-    runs.insert({row[0].text, row[1].text, row[3].text});
-    reasons.insert(row[3].text + " (" + row[5].text + ")");
+// "14 runs failed. 14 runs: point ... lies in no cell: Q1 1x2, newmark, 7 runs from ..."
+std::string failure_sentence(const std::vector<Failure>& failures, int n_failed_runs) {
+  if (n_failed_runs == 0) return "No run failed.";
+  std::string text = counted(n_failed_runs, "run", "runs") + " failed.";
+  std::size_t n_named = 0, n_reasons = 0;
+  for (const Failure& one : failures) {
+    if (one.undefined || ++n_reasons > 5) continue;
+    ++n_named;
+    text += " " + counted(one.n_runs, "run", "runs") + ": " + one.reason + ": " + one.contenders + ".";
   }
-  verdict.n_failed_runs = static_cast<int>(runs.size());
-  verdict.n_failed_records = static_cast<int>(failures.rows.size());
-  if (runs.empty()) return "No run failed.";
-  std::string text = counted(verdict.n_failed_runs, "run", "runs") + " failed: ";
-  std::size_t n_named = 0;
-  for (const std::string& reason : reasons) {
-    if (n_named == 5) {
-      text += "; and " + std::to_string(reasons.size() - n_named) + " more, listed under failures";
-      break;
-    }
-    text += (n_named++ ? "; " : "") + reason;
+  if (n_reasons > n_named) text += " " + std::to_string(n_reasons - n_named) + " more reasons under failures.";
+  return text;
+}
+
+int count_failed_runs(const Analysis& analysis) {
+  using Case = std::pair<std::string, std::string>;  // name, profile
+  std::vector<std::pair<Case, Contender>> failed;
+  for (const Record& record : analysis.input.records) {
+    if (is_usable(record) || is_undefined(record)) continue;
+    const Case of{record.case_name, record.profile};
+    const bool known = std::any_of(failed.begin(), failed.end(), [&](const auto& one) {
+      return one.first == of && same_contender(one.second, record.contender);
+    });
+    if (!known) failed.push_back({of, record.contender});
   }
-  return text + ".";
+  return static_cast<int>(failed.size());
 }
 
 // Names from a store are untrusted, and readers paste commands into a shell: only plain words become part of one.
@@ -85,6 +97,40 @@ bool is_plain_word(const std::string& text) {
   };
   return !text.empty() && text.size() <= 64 && text[0] != '-' && std::all_of(text.begin(), text.end(), is_plain);
 }
+
+// Words of this folder alone: metrics and times are defined where they are measured.
+constexpr std::pair<const char*, const char*> own_words[] = {
+    {"truth finer",
+     "A full-order answer of higher degree or on a finer mesh, integrated tightly: errors against it "
+     "hold truncation, time stepping and discretisation."},
+    {"truth same_mesh",
+     "A full-order answer with the contender's own M and K, integrated tightly: errors against it "
+     "hold truncation and time stepping alone."},
+    {"error bar",
+     "How far the truth itself may be off, by the same metric. An error below it prints as <= bar and "
+     "counts as the bar wherever errors are compared."},
+    {"r",
+     "Elastic modes asked for; rigid modes always stay. Modes of equal frequency are kept whole, so that the "
+     "number used may be larger: both are recorded."},
+    {"speed-up",
+     "Online time of the rival over the online time of the reduced run. The rival is the cheapest full-order "
+     "contender whose error is at most that of the reduced run; no interpolation between runs. None reached: no "
+     "full-order contender of the sweep reaches that error. Single run: one of the times has no spread, so that "
+     "the ratio has no range."},
+    {"margin",
+     "How much more exact the rival is: error of the reduced run over the rival's. Meshes and steps of the sweep "
+     "are coarse, so that the rival is always more exact than it need be, and the speed-up too large for exactly "
+     "equal error."},
+    {"near miss",
+     "The most exact of the full-order contenders that are cheaper than the rival: it just misses the error. Its "
+     "online time over that of the reduced run is the miss speed-up. Where cost rises with accuracy, the speed-up at "
+     "exactly equal error lies between miss speed-up and speed-up."},
+    {"break-even",
+     "Simulated seconds after which offline plus online time of the reduced run falls below that of "
+     "its rival; never where its online time is not the smaller one."},
+    {"check",
+     "A bound that the case file sets. It is not decidable where the bound lies below the error bar and the "
+     "measured value is nearer to it than that bar."}};
 
 }  // namespace
 
@@ -101,7 +147,8 @@ Verdict verdict_of(const Analysis& analysis) {
   verdict.median = median_ratio(verdict.at_target);
   if (!analysis.input.records.empty()) {
     verdict.sentences.push_back(speed_up_sentence(verdict));
-    verdict.sentences.push_back(failure_sentence(analysis, verdict));
+    verdict.n_failed_runs = count_failed_runs(analysis);
+    verdict.sentences.push_back(failure_sentence(failures_of(analysis), verdict.n_failed_runs));
   }
   return verdict;
 }
@@ -109,35 +156,7 @@ Verdict verdict_of(const Analysis& analysis) {
 std::vector<Definition> definitions(const Analysis& analysis) {
   std::vector<Definition> all;
   for (const auto& [metric, text] : analysis.input.metric_docs) all.push_back({metric, text});
-  const std::vector<Definition> terms = {
-      {"truth finer",
-       "A full-order answer of higher degree or on a finer mesh, integrated tightly: errors against it "
-       "hold truncation, time stepping and discretisation."},
-      {"truth same_mesh",
-       "A full-order answer with the contender's own M and K, integrated tightly: errors against it "
-       "hold truncation and time stepping alone."},
-      {"error bar",
-       "How far the truth itself may be off, by the same metric. An error below it prints as <= bar and "
-       "counts as the bar wherever errors are compared."},
-      {"r",
-       "Elastic modes asked for; rigid modes always stay. Modes of equal frequency are kept whole, so that the "
-       "number used may be larger: both are recorded."},
-      {"online time",
-       "Wall clock of load projection, time stepping and reconstruction at the evaluation points at the "
-       "frame times: median of the repeats, with half their spread."},
-      {"offline time",
-       "Wall clock of everything before: assembly, factorisation, eigenproblem; counted on both sides."},
-      {"speed-up",
-       "Online time of the cheapest full-order contender whose error is at most that of the reduced run, "
-       "over the online time of the reduced run; no interpolation between runs. None reached: no "
-       "full-order contender of the sweep reaches that error."},
-      {"break-even",
-       "Simulated seconds after which offline plus online time of the reduced run falls below that of "
-       "its rival; never where its online time is not the smaller one."},
-      {"check",
-       "A bound that the case file sets. It is not decidable where the bound lies below the error bar and the "
-       "measured value is nearer to it than that bar."}};
-  all.insert(all.end(), terms.begin(), terms.end());
+  for (const auto& [term, text] : own_words) all.push_back({term, text});
   return all;
 }
 
@@ -146,7 +165,10 @@ std::vector<std::string> reproducing_commands(const Analysis& analysis) {
   const auto& environment = analysis.input.environment;
   const auto commit = environment.find("commit");
   if (commit != environment.end() && is_plain_word(commit->second)) {
-    commands.push_back("git checkout " + commit->second);
+    static const std::string changed = "-dirty";
+    const bool dirty = commit->second.ends_with(changed);
+    const std::string name = commit->second.substr(0, commit->second.size() - (dirty ? changed.size() : 0));
+    commands.push_back("git checkout " + name + (dirty ? "  # and changes that were not committed" : ""));
   }
   std::set<std::pair<std::string, std::string>> cases;
   for (const Record& record : analysis.input.records) cases.insert({record.case_name, record.profile});

@@ -12,9 +12,9 @@ namespace mb {
 struct Verdict {
   int n_cases = 0, n_cases_within = 0;  // within: every check of the case holds
   int n_checks = 0, n_hold = 0, n_not_decidable = 0, n_not_measured = 0;
-  std::vector<SpeedUp> at_target;  // a case: its cheapest reduced run within the error target
-  std::optional<double> median;    // [-] speed-up over those that have a rival
-  int n_failed_runs = 0, n_failed_records = 0;
+  std::vector<SpeedUp> at_target;      // a case: its cheapest reduced run within the error target
+  std::optional<double> median;        // [-] speed-up over those that have a rival
+  int n_failed_runs = 0;               // runs with a measure that failed; undefined ones are none
   std::vector<std::string> sentences;  // plain text, untrusted names within
 };
 Verdict verdict_of(const Analysis& analysis);
@@ -22,7 +22,7 @@ Verdict verdict_of(const Analysis& analysis);
 struct Definition {
   std::string term, text;
 };
-std::vector<Definition> definitions(const Analysis& analysis);  // metrics that were given, then the terms of the tables
+std::vector<Definition> definitions(const Analysis& analysis);  // metrics that were given, then the report's own words
 
 std::vector<std::string> reproducing_commands(const Analysis& analysis);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
+#include "reports/contender_columns.h"
 #include "reports/number.h"
 #include "reports/speedup.h"
 
@@ -63,36 +65,12 @@ std::vector<Cell> metric_cells(const Run& run, const Answer& answer, const std::
   return cells;
 }
 
-std::vector<Cell> contender_cells(const Run& run) {
-  const Contender& contender = run.contender;
-  const bool reduced = is_reduced(contender);
-  const double step = contender.settings.time_step;
-  return {text_cell(contender.method),
-          text_cell(contender.integrator),
-          text_cell(to_string(contender.resolution)),
-          reduced ? count_cell(contender.settings.modes) : text_cell(""),
-          reduced && run.modes_used >= 0 ? count_cell(run.modes_used) : text_cell(""),
-          step > 0 ? setting_cell(step) : text_cell(""),
-          contender.integrator == "sundials" ? setting_cell(contender.settings.relative_tolerance) : text_cell(""),
-          count_cell(run.n_unknowns)};
-}
-
 template <typename Wanted>
 Sheet metric_table(const Analysis& analysis, std::string name, std::string title, bool probes, Wanted wanted) {
   const std::vector<MetricColumn> metrics = metric_columns(analysis, probes);
   Sheet table{.name = std::move(name), .title = std::move(title), .note = "", .columns = {}, .rows = {}};
-  table.columns = {{"case", ""},
-                   {"profile", ""},
-                   {"truth", ""},
-                   {probes ? "probe" : "body", ""},
-                   {"method", ""},
-                   {"integrator", ""},
-                   {"mesh", ""},
-                   {"r", "", Kind::number},
-                   {"r used", "", Kind::number},
-                   {"time step", "s", Kind::number},
-                   {"rtol", "-", Kind::number},
-                   {"unknowns", "", Kind::number}};
+  table.columns = {{"case", ""}, {"profile", ""}, {"truth", ""}, {probes ? "probe" : "body", ""}};
+  for (Column& column : contender_columns()) table.columns.push_back(std::move(column));
   for (const MetricColumn& metric : metrics) table.columns.push_back({metric.metric, metric.unit, Kind::error});
   table.columns.push_back({"online time", "s", Kind::time});
   table.columns.push_back({"offline time", "s", Kind::time});
@@ -101,7 +79,7 @@ Sheet metric_table(const Analysis& analysis, std::string name, std::string title
     for (const Answer& answer : answers(run, metrics)) {
       std::vector<Cell> row = {text_cell(run.case_name), text_cell(run.profile), text_cell(answer.truth),
                                text_cell(answer.subject)};
-      for (Cell& cell : contender_cells(run)) row.push_back(std::move(cell));
+      for (Cell& cell : contender_cells(run.contender, run.modes_used, run.n_unknowns)) row.push_back(std::move(cell));
       for (Cell& cell : metric_cells(run, answer, metrics)) row.push_back(std::move(cell));
       row.push_back(record_cell(pointer(run.online)));
       row.push_back(record_cell(pointer(run.offline)));
@@ -160,6 +138,20 @@ std::optional<double> simulated_seconds(const Analysis& analysis, const Run& run
   return scene && scene->duration > 0 ? std::optional(scene->duration) : std::nullopt;
 }
 
+std::vector<std::string> truth_sentences(const Analysis& analysis, const Scene& scene) {
+  std::map<std::tuple<std::string, std::string, std::string>, std::string> said;  // by truth, metric and subject
+  for (const Record& record : analysis.input.records) {
+    if (!is_of_truth(record) || record.case_name != scene.name || record.profile != scene.profile) continue;
+    std::string text = "Of the truth " + record.truth + ": " + record.metric + " " + format_record(record);
+    if (!record.unit.empty() && record.unit != "-") text += " " + record.unit;
+    if (!record.subject.empty()) text += " (" + record.subject + ")";
+    said[{record.truth, record.metric, record.subject}] = text + ".";
+  }
+  std::vector<std::string> sentences;
+  for (const auto& [key, sentence] : said) sentences.push_back(sentence);
+  return sentences;
+}
+
 Sheet checks_table(const Analysis& analysis) {
   Sheet table{.name = "checks", .title = "Checks", .note = "What the case files demand.", .columns = {}, .rows = {}};
   table.columns = {{"case", ""},
@@ -200,18 +192,19 @@ Sheet probes_table(const Analysis& analysis) {
 // What the page shows: every contender with its speed-up and whether it meets the target.
 Sheet contenders_table(const Analysis& analysis) {
   Sheet table = metric_table(analysis, "contenders", "Contenders", false, [](const Contender&) { return true; });
-  std::map<std::vector<std::string>, Cell> ratios;  // by the cells that name a reduced run
+  std::map<std::vector<std::string>, std::vector<Cell>> ratios;  // by the cells that name a reduced run
   for (const SpeedUp& one : analysis.speed_ups) {
     const Record& e = one.error;
     const Contender& c = e.contender;
     ratios[{e.case_name, e.profile, e.truth, e.subject, c.method, c.integrator, to_string(c.resolution),
-            std::to_string(c.settings.modes)}] =
-        one.rival.empty() ? ratio_cell(one) : number_cell(one.ratio);  // its range stands in the table of speed-ups
+            std::to_string(c.settings.modes)}] = {
+        one.rival.empty() ? ratio_cell(one) : number_cell(one.ratio),  // its range stands in the table of speed-ups
+        margin_cell(one), miss_ratio_cell(one)};
   }
   const auto error = std::find_if(table.columns.begin(), table.columns.end(),
                                   [](const Column& column) { return column.name == headline_metric; });
   const std::size_t j_error = static_cast<std::size_t>(error - table.columns.begin());
-  table.columns.push_back({"speed-up", "-", Kind::number});
+  for (const char* name : {"speed-up", "margin", "miss speed-up"}) table.columns.push_back({name, "-", Kind::number});
   table.columns.push_back({"<= 1 %", ""});
   for (std::vector<Cell>& row : table.rows) {
     std::vector<std::string> key;
@@ -219,7 +212,7 @@ Sheet contenders_table(const Analysis& analysis) {
     const bool graded = j_error < row.size() && row[j_error].value.has_value();
     const bool within = graded && std::max(std::abs(*row[j_error].value), row[j_error].bar.value_or(0)) <= error_target;
     const auto ratio = ratios.find(key);
-    row.push_back(ratio == ratios.end() ? text_cell("") : ratio->second);
+    for (std::size_t j = 0; j < 3; ++j) row.push_back(ratio == ratios.end() ? text_cell("") : ratio->second[j]);
     row.push_back(text_cell(!graded ? "" : within ? "yes" : "no"));
   }
   return table;

@@ -27,7 +27,22 @@ const Run* run_of(const Analysis& analysis, const Record& record);
 std::optional<double> simulated_seconds(const Analysis& analysis,
                                         const Run& run);  // [s]; none where the scene is unknown
 
-Cell ratio_cell(const SpeedUp& speed_up);  // "354 (340 to 370)", "none reached"
+Cell ratio_cell(const SpeedUp& speed_up);       // "354 (340 to 370)", "354 (single run)", "none reached"
+Cell margin_cell(const SpeedUp& speed_up);      // how much more exact the rival is: "2.9"; "" where none
+Cell miss_ratio_cell(const SpeedUp& speed_up);  // speed-up over the near miss; "" where none
+
+// Measures of a case without a number, for one reason.
+struct Failure {
+  std::string case_name, profile, reason;
+  std::string contenders;  // "Q1 1x2, newmark, 7 runs from step 0.01 s to step 0.00016 s; eigenmodes, r = 8"
+  int n_runs = 0;
+  long n_measures = 0;
+  bool undefined = false;  // the metric has no meaning there: the runs did not fail
+};
+std::vector<Failure> failures_of(const Analysis& analysis);
+
+// What the records say of the truths of a case themselves: "Of the truth finer: truth-above-band 7.5e-6 (cylinder)."
+std::vector<std::string> truth_sentences(const Analysis& analysis, const Scene& scene);
 
 Sheet checks_table(const Analysis& analysis);
 Sheet reduced_table(const Analysis& analysis);     // error against r
@@ -35,7 +50,7 @@ Sheet rivals_table(const Analysis& analysis);      // full-order contenders
 Sheet contenders_table(const Analysis& analysis);  // both, with speed-up: the page's table
 Sheet speed_up_table(const Analysis& analysis);
 Sheet probes_table(const Analysis& analysis);
-Sheet failures_table(const Analysis& analysis);
-Sheet records_table(const Analysis& analysis);  // one row a record
+Sheet failures_table(const Analysis& analysis);  // one row a reason
+Sheet records_table(const Analysis& analysis);   // one row a record
 
 }  // namespace mb

@@ -16,7 +16,7 @@ struct Settings {
   int modes = 0;                     // elastic modes asked for
   double time_step = 0;              // [s]
   double relative_tolerance = 1e-6;  // [-]
-  double load_tolerance = 1e-6;      // [-] resampling of chirps and expressions
+  double load_tolerance = 1e-5;      // [-] resampling of chirps and expressions
 };
 
 struct Sampling {

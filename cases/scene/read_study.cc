@@ -115,6 +115,7 @@ Study read_study(Section section, const std::vector<BodyDraft>& bodies, const Vo
     check_mode_counts(*modes, bodies, section.findings());
   }
   study.modes = values_of(modes);
+  study.load_tolerance = section.number("load_tolerance", {1e-9, 0.1}, study.load_tolerance);
   double n_rivals = 0;
   for (Section& entry : section.sections("rival", {0, 16})) {
     study.rivals.push_back(read_rival(entry, bodies, vocabulary, shortest_duration));

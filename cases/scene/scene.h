@@ -69,6 +69,7 @@ struct Study {
   std::vector<std::string> methods;  // reduced methods, each at every mode count
   std::vector<int> modes;            // elastic modes r >= 0; rigid modes always stay
   std::vector<Rival> rivals;
+  double load_tolerance = 1e-5;      // [-] of resampling chirps and expressions, relative to their peak
 };
 
 struct TruthSettings {

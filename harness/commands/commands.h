@@ -36,6 +36,7 @@ struct RunCommandOptions {
   std::function<bool()> interrupted;
 };
 struct ReportOptions {
+  std::vector<std::string> cases;  // names or files; empty: the cases of the store, found by name
   std::string directory = "report", store = "results";
 };
 

@@ -2,15 +2,17 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "harness/commands/usage_error.h"
 
 namespace mb {
 
 // A name that is no case; what() suggests the nearest.
-class UnknownCase : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+class UnknownCase : public UsageError {
+ public:
+  using UsageError::UsageError;
 };
 
 // Files of all cases, sorted by name. Empty where no folder of cases is found.

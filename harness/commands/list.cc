@@ -34,7 +34,7 @@ int check_command(const CheckOptions& options, const Catalogue& catalogue, const
   int n_errors = 0;
   for (const std::string& name : options.files) try {
       const Scene scene = read_toml(find_case(name), catalogue.vocabulary(), options.profile);
-      fmt::print(console.out, "{}: valid ({} bodies, {} contenders, {} checks)\n", scene.name, scene.bodies.size(),
+      fmt::print(console.out, "{}: valid (bodies: {}, contenders: {}, checks: {})\n", scene.name, scene.bodies.size(),
                  contenders(scene).size(), scene.checks.size());
     } catch (const CaseErrors& errors) {
       print(errors, console.err);

@@ -1,7 +1,6 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "cases/json/json.h"
 #include "cases/scene/nearest.h"
@@ -21,7 +20,7 @@ const Body& find_body(const Scene& scene, const std::string& name) {
     if (body.name == name) return body;
     names.push_back(body.name);
   }
-  throw std::invalid_argument("unknown body '" + name + "'; " + suggestion(name, names, "bodies"));
+  throw UsageError("unknown body '" + name + "'; " + suggestion(name, names, "bodies"));
 }
 
 void print_table(const Modes& modes, Index count, std::ostream& out) {
@@ -50,11 +49,9 @@ int modes_command(const ModesOptions& options, const Catalogue& catalogue, const
   const auto full = full_model(scene, body, body.resolution);
   const System& system = full->system();
   const Index n = system.u0.size(), n_rigid = system.R.cols();
-  if (options.count > n)
-    throw std::invalid_argument(fmt::format("--count {}: the body has {} degrees of freedom", options.count, n));
-  const int n_elastic = static_cast<int>(std::max<Index>(0, options.count - n_rigid));
-  const Modes modes = lowest_modes(system, n_elastic, default_shift(system));
-  const Index count = std::min<Index>(options.count, modes.size());
+  const Index count = std::min<Index>(options.count, n);
+  const int n_elastic = static_cast<int>(std::max<Index>(0, count - n_rigid));
+  const Modes modes = lowest_modes(system, n_elastic, physical_shift(body));
   if (options.json)
     print_json(scene, body, n, modes, count, console.out);
   else

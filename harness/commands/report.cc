@@ -4,24 +4,38 @@
 
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
-#include "harness/commands/stored_results.h"
 #include "harness/metrics/metric.h"
 #include "harness/provenance.h"
+#include "harness/study/current_records.h"
 #include "reports/content.h"
 
 namespace mb {
 
 namespace {
 
+// The scenes of the files given, by their names.
+std::map<std::string, std::filesystem::path> files_given(const ReportOptions& options, const Catalogue& catalogue) {
+  std::map<std::string, std::filesystem::path> files;
+  for (const std::string& name : options.cases) {
+    const auto file = find_case(name);
+    files[read_toml(file, catalogue.vocabulary()).name] = file;
+  }
+  return files;
+}
+
 // Cases of the store, each in the profile that was run.
-std::vector<Scene> scenes_in(const Store& store, const Catalogue& catalogue, std::ostream& err) {
+std::vector<Scene> scenes_in(const Store& store, const ReportOptions& options, const Catalogue& catalogue,
+                             std::ostream& err) {
+  const auto given = files_given(options, catalogue);
   std::set<std::pair<std::string, std::string>> names;
   for (const Record& record : store.read_all_records().records) names.insert({record.case_name, record.profile});
   std::vector<Scene> scenes;
   for (const auto& [name, profile] : names) try {
-      scenes.push_back(read_toml(find_case(name), catalogue.vocabulary(), profile));
+      if (!given.empty() && !given.contains(name)) continue;
+      const auto file = given.empty() ? find_case(name) : given.at(name);
+      scenes.push_back(read_toml(file, catalogue.vocabulary(), profile));
     } catch (const UnknownCase&) {
-      fmt::print(err, "the store holds results of '{}', whose case file is not here: left out\n", name);
+      fmt::print(err, "the store holds results of '{}': left out; name its case file to have them reported\n", name);
     }
   return scenes;
 }
@@ -30,16 +44,16 @@ std::map<std::string, std::string> definitions() {
   std::map<std::string, std::string> docs;
   for (const Metric& metric : metric_catalogue()) docs[metric.name] = metric.doc;
   docs["online-time"] =
-      "Load projection, stepping and reconstruction of displacements at the frame times, one thread, median of at "
-      "least 5 runs and 0.2 s after a warm-up; the bar is half the distance of the quartiles. A time without a bar is "
-      "that of a single run.";
+      "Stepping under the given load histories and reconstruction of displacements at the frame times, one thread, "
+      "median of at least 5 runs and 0.2 s after a warm-up; the bar is half the distance of the quartiles. A time "
+      "without a bar is that of a single run. Load patterns are known beforehand: projecting them is offline.";
   docs["offline-time"] =
-      "What is done once per body and mesh before the first step: factorisations, eigensolve with its gate, "
-      "projection. Assembly, which all share, is left out. One run.";
+      "What is done once before the first step, on either side: assembly of the mesh, factorisation, eigensolve with "
+      "its "
+      "gate, projection of the load patterns, static solves. One run.";
   docs["load-error"] =
       "Largest error, relative to the peak, in representing the load by lines and cosines: 0 for all histories but "
-      "chirps "
-      "and expressions, which are resampled.";
+      "chirps and expressions, which are resampled to [study] load_tolerance.";
   return docs;
 }
 
@@ -47,7 +61,7 @@ std::map<std::string, std::string> definitions() {
 
 int report_command(const ReportOptions& options, const Catalogue& catalogue, const Console& console) {
   const Store store(options.store);
-  ReportInput input{{}, scenes_in(store, catalogue, console.err), {}, definitions()};
+  ReportInput input{{}, scenes_in(store, options, catalogue, console.err), {}, definitions()};
   StoredResults stored = current_records(store, input.scenes);
   if (stored.n_other > 0) fmt::print(console.err, "{} records of other settings or builds left out\n", stored.n_other);
   for (const RefusedLine& line : stored.refused)

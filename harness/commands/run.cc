@@ -4,7 +4,7 @@
 
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
-#include "harness/commands/stored_results.h"
+#include "harness/study/current_records.h"
 #include "harness/study/identity.h"
 #include "harness/study/run_case.h"
 #include "reports/content.h"
@@ -68,14 +68,19 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
   int n_failed = 0;
   bool interrupted = false;
   std::vector<Scene> finished;
-  for (const auto& scene : scenes) {
-    const CaseOutcome outcome = run_case(scene, catalogue, store, {options.again, options.interrupted}, progress);
-    fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed\n", scene->name, outcome.n_run,
-               outcome.n_stored, options.store, outcome.n_failed);
-    n_failed += outcome.n_failed;
-    finished.push_back(*scene);
-    if ((interrupted = outcome.interrupted)) break;
-  }
+  for (const auto& scene : scenes) try {
+      const CaseOutcome outcome = run_case(scene, catalogue, store, {options.again, options.interrupted}, progress);
+      fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed\n", scene->name, outcome.n_run,
+                 outcome.n_stored, options.store, outcome.n_failed);
+      n_failed += outcome.n_failed;
+      finished.push_back(*scene);
+      if ((interrupted = outcome.interrupted)) break;
+    } catch (const StoreError&) {
+      throw;  // concerns every case
+    } catch (const std::exception& error) {
+      fmt::print(console.err, "{} · failed: {}\n", scene->name, error.what());
+      ++n_failed;
+    }
   for (const RefusedLine& line : store.rebuild_results())
     fmt::print(console.err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
   if (interrupted) {

@@ -19,7 +19,7 @@ struct MetricContext {
   const Scene& scene;
   Index body;                      // in [0, bodies of the scene)
   const EvaluationPoints& points;  // of this body
-  bool free;                       // whether its supports leave a rigid motion, to be taken out
+  bool free;                       // whether no support holds it: then its rigid motion is taken out
   Index probe = -1;                // in [0, probes of the scene): a probe on this body, for metrics of probes
 };
 

@@ -137,7 +137,7 @@ std::vector<Metric> catalogue() {
       {"probe-combined", "-", "Sprague and Geers' C of a probe's signal: sqrt(M^2 + P^2).", probe, no, no,
        &probe_combined},
       {"truth-above-band", "-",
-       "Share of the truth's deformation (M norm, Hann window) that happens above a twentieth of samples_per_second.",
+       "Share of the kinetic energy of the truth's deformation (Hann window) above a twentieth of samples_per_second.",
        no, no, truth_alone, &truth_above_band},
   };
 }

@@ -17,15 +17,15 @@ struct Run {
 
 constexpr std::array norms{"displacement-error", "strain-error", "surface-deviation"};
 
-std::map<std::string, Run> full_order_runs(const std::vector<Record>& records, const std::string& case_name) {
+std::map<std::string, Run> full_order_runs(const std::vector<Record>& records) {
   std::map<std::string, Run> runs;
   for (const Record& r : records) {
-    if (r.case_name != case_name || r.contender.method != "full-order" || r.status != "ok") continue;
+    if (r.contender.method != "full-order" || r.status != "ok") continue;
     if (r.metric == "online-time") {
       runs[r.run].time = r.value;
       runs[r.run].once = !r.error_bar;
     } else if (r.truth == "finer") {
-      runs[r.run].errors[r.metric] = r.value;
+      runs[r.run].errors[r.metric] = std::max(r.value, r.error_bar.value_or(0));
     }
   }
   std::erase_if(runs, [](const auto& entry) { return entry.second.time < 0; });
@@ -34,8 +34,8 @@ std::map<std::string, Run> full_order_runs(const std::vector<Record>& records, c
 
 }  // namespace
 
-std::vector<std::string> dear_front(const std::vector<Record>& records, const std::string& case_name) {
-  const auto runs = full_order_runs(records, case_name);
+std::vector<std::string> dear_front(const std::vector<Record>& records) {
+  const auto runs = full_order_runs(records);
   std::set<std::string> chosen;
   for (const auto& [name, run] : runs)
     for (const std::string norm : norms) {

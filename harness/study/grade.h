@@ -14,6 +14,8 @@ class Grader {
   // free: per body of the scene, whether it moves freely. All arguments must outlive this.
   Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free,
          std::map<std::string, std::string> provenance);
+  Grader(const Grader&) = delete;  // contexts refer to the points kept here
+  Grader& operator=(const Grader&) = delete;
 
   // base: run, contender, modes_used, n_unknowns. Full-order rivals on other meshes are marked against `finer` alone.
   std::vector<Record> marks(const Record& base, const Trajectory& answer) const;

@@ -14,10 +14,10 @@ std::string truth_hash(const Scene& scene, const Resolution& resolution, double 
 }
 
 std::string run_hash(const Scene& scene, const Contender& c) {
-  return content_hash(fmt::format("run\n{}\n{} {} {}\n{} {:a} {:a} {:a}\n{} {} {}\n", canonical(scene), c.method,
-                                  c.integrator, to_string(c.resolution), c.settings.modes, c.settings.time_step,
-                                  c.settings.relative_tolerance, c.settings.load_tolerance, sources::reference,
-                                  sources::contenders, sources::libraries));
+  return content_hash(fmt::format("run\n{} {}\n{}\n{} {} {}\n{} {:a} {:a} {:a}\n{} {} {}\n", scene.name, scene.profile,
+                                  canonical(scene), c.method, c.integrator, to_string(c.resolution), c.settings.modes,
+                                  c.settings.time_step, c.settings.relative_tolerance, c.settings.load_tolerance,
+                                  sources::reference, sources::contenders, sources::libraries));
 }
 
 }  // namespace mb

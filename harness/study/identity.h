@@ -10,7 +10,7 @@ namespace mb {
 // The truth on one mesh at one tolerance; sources of mechanics, cases and reference count.
 std::string truth_hash(const Scene& scene, const Resolution& resolution, double relative_tolerance);
 
-// A contender's run and its marks; all sources but those of reports count.
+// A contender's run and its marks, under the case's name and profile; all sources but those of reports count.
 std::string run_hash(const Scene& scene, const Contender& contender);
 
 }  // namespace mb

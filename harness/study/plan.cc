@@ -12,6 +12,7 @@ std::vector<Contender> reduced(const Scene& scene) {
     for (const int modes : scene.study.modes) {
       Contender contender{method, "exact", scene.bodies.front().resolution, {}};
       contender.settings.modes = modes;
+      contender.settings.load_tolerance = scene.study.load_tolerance;
       all.push_back(contender);
     }
   return all;

@@ -7,6 +7,7 @@
 
 #include "harness/measure.h"
 #include "harness/provenance.h"
+#include "harness/study/current_records.h"
 #include "harness/study/front.h"
 #include "harness/study/identity.h"
 #include "reference/full_model.h"
@@ -30,7 +31,7 @@ class CaseRun {
       outcome_.n_stored += stored;
       if (!stored) todo.push_back(contender);
     }
-    if (todo.empty()) return outcome_;
+    if (todo.empty() && front().empty()) return outcome_;
     const TruthSet truth = truths(scene_, catalogue_, store_, progress_);
     const Grader grader(*scene_, truth, free_bodies(), provenance(scene_->profile));
     mark_truths(grader, truth);
@@ -49,16 +50,15 @@ class CaseRun {
   const Model& model(const Resolution& resolution) {
     if (!model_ || !(model_resolution_ == resolution)) {
       model_.reset();  // one at a time: they are the largest things here
-      model_ = std::make_unique<Model>(build_model(scene_, &resolution));
+      assembly_ = seconds([&] { model_ = std::make_unique<Model>(build_model(scene_, &resolution)); });
       model_resolution_ = resolution;
     }
     return *model_;
   }
 
-  std::vector<bool> free_bodies() {
+  std::vector<bool> free_bodies() const {
     std::vector<bool> free;
-    for (const BodyModel& body : model(scene_->bodies.front().resolution).bodies)
-      free.push_back(body.full->system().R.cols() > 0);
+    for (const Body& body : scene_->bodies) free.push_back(body.supports.empty());
     return free;
   }
 
@@ -82,7 +82,7 @@ class CaseRun {
     try {
       std::unique_ptr<Prepared> prepared;
       const Model& mesh = model(contender.resolution);
-      const double offline = seconds([&] { prepared = prepare(mesh, contender); });
+      const double offline = assembly_ + seconds([&] { prepared = prepare(mesh, contender); });
       record.modes_used = prepared->modes_used();
       record.n_unknowns = prepared->n_unknowns();
       const double estimate = seconds([&] {
@@ -134,13 +134,15 @@ class CaseRun {
                           error, time));
   }
 
+  std::vector<std::string> front() const { return dear_front(current_records(store_, {*scene_}).records); }
+
   // Repeats the time of dear full-order runs that may be the cheapest at some error.
   void time_the_front(const Grader& grader) {
-    RecordLines all = store_.read_all_records();
-    for (const std::string& run : dear_front(all.records, scene_->name)) {
+    const std::vector<Record> all = current_records(store_, {*scene_}).records;
+    for (const std::string& run : dear_front(all)) {
       if (stop()) return;
       std::vector<Record> records;
-      for (const Record& r : all.records)
+      for (const Record& r : all)
         if (r.run == run) records.push_back(r);
       const Contender contender = records.front().contender;
       progress_(fmt::format("{} · timing {}", scene_->name, label(contender)));
@@ -159,6 +161,7 @@ class CaseRun {
   const Progress& progress_;
   std::unique_ptr<Model> model_;
   Resolution model_resolution_{};
+  double assembly_ = 0;  // [s] of the model at hand
   CaseOutcome outcome_;
 };
 

@@ -37,15 +37,21 @@ class TruthRuns {
     if (job.result->status != Status::ok)
       throw std::runtime_error(fmt::format("the truth of {} on {} at rtol {:.0e} failed: {}", scene_->name,
                                            to_string(job.resolution), job.tolerance, to_string(job.result->status)));
-    store_.write_truth(hash, *job.result);
+    write(hash, *job.result);
     say(fmt::format("{} · truth {} rtol {:.0e} · {} steps · {:.1f} s", scene_->name, to_string(job.resolution),
                     job.tolerance, job.result->work.steps, time));
   }
 
  private:
+  // HDF5's library serves one thread at a time.
+  void write(const std::string& hash, const Trajectory& trajectory) {
+    const std::lock_guard lock(store_mutex_);
+    store_.write_truth(hash, trajectory);
+  }
   std::optional<Trajectory> read(const std::string& hash) {
     if (!store_.has_truth(hash)) return {};
     try {
+      const std::lock_guard lock(store_mutex_);
       return store_.read_truth(hash);
     } catch (const StoreError& damaged) {
       say(std::string(damaged.what()) + "; computed again");
@@ -69,7 +75,7 @@ class TruthRuns {
   const Catalogue& catalogue_;
   const Store& store_;
   const Progress& progress_;
-  std::mutex mutex_;
+  std::mutex mutex_, store_mutex_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "mechanics/algebra/cholesky.h"
+#include "mechanics/system/mass_product.h"
 #include "mechanics/system/shifted.h"
 
 namespace mb {
@@ -16,7 +17,13 @@ struct State {
 class Newmark final : public Stepper {
  public:
   Newmark(const System& system, double h)
-      : system_(system), h_(h), A_(system, h / 2), MR_(system.M * system.R), a0_(initial_acceleration(system)) {}
+      : system_(system),
+        h_(h),
+        A_(system, h / 2),
+        M_(system.M),
+        MR_(system.M * system.R),
+        a0_(initial_acceleration(system)),
+        factors_(system) {}
 
   States run(const VectorXd& times) const override;
 
@@ -32,8 +39,10 @@ class Newmark final : public Stepper {
   const System& system_;
   double h_;
   Shifted A_;
+  MassProduct M_;
   MatrixXd MR_;
   VectorXd a0_;
+  LoadFactors factors_;
 };
 
 void Newmark::right_hand_side(const State& x, const VectorXd& s, VectorXd& w, VectorXd& z, VectorXd& b) const {
@@ -41,7 +50,7 @@ void Newmark::right_hand_side(const State& x, const VectorXd& s, VectorXd& w, Ve
   w.noalias() = (4 / (h_ * h_)) * x.u + (4 / h_) * x.v + x.a;
   if (alpha != 0 || beta != 0) z.noalias() = (2 / h_) * x.u + x.v;
   if (alpha != 0) w.noalias() += alpha * z;
-  b.noalias() = system_.M.transpose() * w;  // symmetric: the transposed product gathers, which is faster
+  M_(w, b);
   if (alpha != 0 && MR_.cols() > 0) {
     const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1> rigid = alpha * (MR_.transpose() * z);
     b.noalias() -= MR_ * rigid;
@@ -63,13 +72,12 @@ States Newmark::run(const VectorXd& times) const {
   States out{MatrixXd(n, times.size()), MatrixXd(n, times.size()), {}, Status::ok, 0};
   State x{system_.u0, system_.v0, a0_};
   VectorXd w(n), z(n), b(n), u1(n), v1(n);
-  const LoadFactors factors(system_);
   Index k = 0;
   const double slack = 1e-9 * h_;  // output times that are a step's end up to rounding need no further step
   for (; k < times.size() && times[k] <= slack; ++k) out.u.col(k) = x.u, out.v.col(k) = x.v;
   for (long i = 0; k < times.size(); ++i) {
     const double t0 = static_cast<double>(i) * h_, t1 = static_cast<double>(i + 1) * h_;
-    right_hand_side(x, factors(t1), w, z, b);
+    right_hand_side(x, factors_(t1), w, z, b);
     A_.solve(b, u1);
     u1 *= h_ * h_ / 4;
     v1.noalias() = (2 / h_) * (u1 - x.u) - x.v;

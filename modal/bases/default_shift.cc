@@ -5,6 +5,11 @@
 
 namespace mb {
 
+double physical_shift(const Body& body) {
+  const double l = extent(body.shape);
+  return -0.01 * body.material.youngs_modulus / (body.material.density * l * l);
+}
+
 double default_shift(const System& system) {
   const double trace_ratio = system.K.diagonal().sum() / system.M.diagonal().sum();  // of the order of lambda_max
   if (!(trace_ratio > 0)) throw std::invalid_argument("default_shift: M or K has no positive trace");

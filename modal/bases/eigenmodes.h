@@ -5,6 +5,7 @@
 // Rigid modes are known from geometry and deflated. Nothing is returned before it has passed the gate (gate.h).
 #pragma once
 
+#include "cases/scene/scene.h"
 #include "mechanics/system/static_response.h"
 #include "modal/bases/gate.h"
 
@@ -20,6 +21,9 @@ Modes lowest_modes(const System& system, int n_elastic, const ShiftedFactor& shi
 
 // [1/s^2] -lambda_1 / 100 from the system alone, lambda_1 within a factor of 2 by a few inverse iterations: well
 // conditioned and close to the elastic spectrum. Costs one factorisation.
+// -0.01 E/(rho l^2) [1/s^2], l the largest extent: well below the first elastic eigenvalue, (pi c/l)^2 for a rod, and far
+// enough from zero that K - sigma M of a free body is well conditioned.
+double physical_shift(const Body& body);
 double default_shift(const System& system);
 
 }  // namespace mb

@@ -5,7 +5,12 @@
 namespace mb {
 namespace {
 
-SparseMatrix diagonal(const VectorXd& d) { return SparseMatrix(d.asDiagonal()); }
+SparseMatrix diagonal(const VectorXd& d) {
+  SparseMatrix D(d.size(), d.size());  // may be 0 x 0: a supported body with no elastic mode
+  D.reserve(d.size());
+  for (Index i = 0; i < d.size(); ++i) D.insert(i, i) = d(i);
+  return D;
+}
 
 Observation observe_modes(const SparseMatrix& at_points, const Modes& modes, const MatrixXd& correction) {
   return {.of_state = MatrixXd(at_points * modes.Phi), .of_load = MatrixXd(at_points * correction)};

@@ -5,20 +5,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "mechanics/geometry/shape.h"
+#include "modal/bases/eigenmodes.h"
 #include "modal/methods/projection.h"
 
 namespace mb {
-namespace {
-
-// sigma = -0.01 E/(rho l^2), l the largest extent: well below the first elastic eigenvalue, (pi c/l)^2 for a rod, and
-// far enough from zero that K - sigma M of a free body is well conditioned.
-double physical_shift(const Body& body) {
-  const double l = extent(body.shape);
-  return -0.01 * body.material.youngs_modulus / (body.material.density * l * l);
-}
-
-}  // namespace
 
 std::unique_ptr<Prepared> prepare_truncated(const Model& model, const Settings& settings, const Integrator& integrator,
                                             bool corrected) {

@@ -23,7 +23,7 @@ struct Location {
 
 Location locate(const Discretisation& d, const Cell& cell, const Point& x) {
   constexpr double nowhere = std::numeric_limits<double>::infinity();
-  if (!cell->bounding_box().point_inside(x, 1)) return {{}, nowhere};  // a cell's size of slack: curved faces bulge
+  if (!cell->bounding_box().point_inside(x, 3)) return {{}, nowhere};  // slack: curved faces bulge
   try {
     const Point xi = d.mapping.transform_real_to_unit_cell(cell, x);
     double outside = 0;
@@ -49,8 +49,9 @@ Located nearest_cell(const Discretisation& d, const Point& x) {
     }
     if (outside == 0) break;
   }
-  // The chords of five linear blocks lie up to 0.7 of a cell below the circle; a whole cell away is outside.
-  if (!(outside < 1)) throw std::invalid_argument(fmt::format("point ({}, {}, {}) lies in no cell", x[0], x[1], x[2]));
+  // The faces of the coarsest linear meshes lie below the true surface: five blocks of a disc by 0.7 of a cell, seven of
+  // a ball by 1.8. Two cells away is outside.
+  if (!(outside < 2)) throw std::invalid_argument(fmt::format("point ({}, {}, {}) lies in no cell", x[0], x[1], x[2]));
   return best;
 }
 

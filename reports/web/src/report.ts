@@ -60,6 +60,7 @@ export interface Report {
     title: string;
     purpose: string;
     source: string;
+    truth: string[];
     duration: number;
     frame_rate: number;
     samples_per_second: number;

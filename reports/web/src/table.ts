@@ -12,6 +12,8 @@ const marks: Record<string, [symbol: string, className: string]> = {
   'does not hold': ['✘', 'bad'],
 };
 
+const faint = new Set(['none reached', 'undefined']);
+
 function compare(a: Cell, b: Cell): number {
   const x = a[1],
     y = b[1];
@@ -25,9 +27,10 @@ function body(column: Column, cell: Cell): HTMLTableCellElement {
   const [text] = cell;
   const failed = text.startsWith('failed') || text === 'not measured' || text.startsWith('not decidable');
   const element = make('td', {
-    class: [column.kind, failed && 'bad', text === 'none reached' && 'faint', text.length > 42 && 'long']
+    class: [column.kind, failed && 'bad', faint.has(text) && 'faint', text.length > 42 && 'long']
       .filter(Boolean)
       .join(' '),
+    'data-value': cell[1] == null ? undefined : String(cell[1]),
   });
   const mark = marks[text];
   if (mark) {

@@ -47,6 +47,7 @@ const cells = async (name) => {
   const j = await column(name);
   return page.$$eval('#contenders tbody tr', (rows, k) => rows.map((row) => row.cells[k].textContent), j);
 };
+const data = () => page.$eval('#report', (element) => JSON.parse(element.textContent));
 const heading = (name) => page.locator('#contenders thead button', { hasText: name }).first();
 const marks = (id) => page.$$eval(`#${id} svg .mark-symbol path`, (paths) => paths.length);
 const isReady = () => page.waitForFunction(() => document.documentElement.dataset.ready);
@@ -102,9 +103,18 @@ await step('draws both plots', async () => {
 await page.screenshot({ path: join(out, 'wide.png'), fullPage: true });
 await page.screenshot({ path: join(out, 'first-screen.png') });
 
-const numbers = async (column) => (await cells(column)).map((text) => parseFloat(text)).filter(Number.isFinite);
-// Cells show the digits that their spread allows, down to two: 0.27 may stand before 0.269.
-const ascending = (values) => values.every((value, i) => i === 0 || value >= values[i - 1] * 0.95);
+// Cells show the digits that their spread allows, so that 0.6 may stand before 0.56: data-value has all of them.
+const numbers = async (name) => {
+  const j = await column(name);
+  const values = await page.$$eval(
+    '#contenders tbody tr',
+    (rows, k) => rows.map((row) => row.cells[k].dataset.value).filter((value) => value !== undefined),
+    j,
+  );
+  assert.ok(values.length > 1, `${name} has numbers`);
+  return values.map(Number);
+};
+const ascending = (values) => values.every((value, i) => i === 0 || value >= values[i - 1]);
 await step('sorts by value in both directions and back', async () => {
   const before = await cells('online time');
   await heading('online time').click();
@@ -127,12 +137,23 @@ await step('filters by words', async () => {
 });
 await step('failed runs are shown as failed', async () => {
   const errors = await cells('displacement-error');
-  const failed = await page.$$eval('#failures tbody tr', (rows) => rows.length);
-  assert.equal(
-    errors.some((text) => text.includes('failed')),
-    failed > 0,
-  );
-  assert.ok(errors.every((text) => !/nan|null|undefined|infinity/i.test(text)));
+  const { tables, verdict } = await data();
+  const { columns, rows } = tables.contenders;
+  const j = columns.findIndex((one) => one.name === 'displacement-error');
+  const [group, , truth] = await page.$$eval('#selectors select', (menus) => menus.map((menu) => menu.value));
+  const [, name, profile] = group.match(/^(.*) \((.*)\)$/);
+  const chosen = rows.filter((row) => row[0][0] === name && row[1][0] === profile && row[2][0] === truth);
+  const failed = chosen.filter((row) => row[j][0].startsWith('failed')).length;
+  assert.equal(errors.filter((text) => text.startsWith('⚠ failed')).length, failed);
+  assert.ok(errors.every((text) => !/nan|null|infinity/i.test(text)));
+  const reasons = await page.$$eval('#failures tbody tr', (all) => all.length);
+  assert.equal(reasons, tables.failures.rows.length);
+  assert.ok(verdict.failed_runs === 0 || reasons > 0, 'failed runs are listed');
+});
+await step('cases say what is known of their truths', async () => {
+  const { cases } = await data();
+  const text = await page.locator('#cases').allTextContents();
+  for (const sentence of cases.flatMap((one) => one.truth)) assert.ok(text.join(' ').includes(sentence), sentence);
 });
 await step('selectors change plots and hash', async () => {
   const title = () => page.$eval('#work svg', (svg) => svg.textContent);

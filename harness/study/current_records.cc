@@ -1,4 +1,4 @@
-#include "harness/commands/stored_results.h"
+#include "harness/study/current_records.h"
 
 #include <set>
 

@@ -1,0 +1,43 @@
+#include "mechanics/system/mass_product.h"
+
+#include <gtest/gtest.h>
+
+namespace mb {
+namespace {
+
+SparseMatrix kronecker(const SparseMatrix& m) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index b = 0; b < m.cols(); ++b)
+    for (SparseMatrix::InnerIterator it(m, b); it; ++it)
+      for (Index i = 0; i < 3; ++i) entries.emplace_back(3 * it.row() + i, 3 * b + i, it.value());
+  SparseMatrix M(3 * m.rows(), 3 * m.cols());
+  M.setFromTriplets(entries.begin(), entries.end());
+  return M;
+}
+
+void expect_product(const SparseMatrix& M) {
+  const VectorXd x = VectorXd::LinSpaced(M.rows(), -1, 2), expected = M * x;
+  VectorXd y = VectorXd::Constant(M.rows(), 7);  // what was there must not matter
+  const MassProduct product(M);
+  product(x, y);
+  EXPECT_LE((y - expected).cwiseAbs().maxCoeff(), 1e-14 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(MassProduct, EqualsTheMatrixWhateverItsForm) {
+  SparseMatrix m(4, 4);
+  const std::vector<Eigen::Triplet<double>> entries = {{0, 0, 4}, {1, 1, 3}, {2, 2, 5},  {3, 3, 2},
+                                                       {0, 2, 1}, {2, 0, 1}, {1, 3, -1}, {3, 1, -1}};
+  m.setFromTriplets(entries.begin(), entries.end());
+  SparseMatrix M = kronecker(m);
+  expect_product(M);
+  M.coeffRef(4, 4) += 1;  // one component heavier: no longer one mass a node
+  expect_product(M);
+  M.coeffRef(0, 1) = M.coeffRef(1, 0) = 0.5;  // components coupled
+  M.makeCompressed();
+  expect_product(M);
+  expect_product(m);  // four degrees of freedom: no nodes of three
+  expect_product(kronecker(SparseMatrix(m.topLeftCorner(2, 2))));
+}
+
+}  // namespace
+}  // namespace mb

@@ -1,0 +1,26 @@
+#include "reports/contender_columns.h"
+
+#include "reports/runs.h"
+
+namespace mb {
+
+std::vector<Column> contender_columns() {
+  constexpr Column::Kind number = Column::Kind::number;
+  return {{"method", ""},         {"integrator", ""},         {"mesh", ""},          {"r", "", number},
+          {"r used", "", number}, {"time step", "s", number}, {"rtol", "-", number}, {"unknowns", "", number}};
+}
+
+std::vector<Cell> contender_cells(const Contender& contender, int modes_used, long n_unknowns) {
+  const bool reduced = is_reduced(contender);
+  const Settings& settings = contender.settings;
+  return {text_cell(contender.method),
+          text_cell(contender.integrator),
+          text_cell(to_string(contender.resolution)),
+          reduced ? count_cell(settings.modes) : text_cell(""),
+          reduced && modes_used >= 0 ? count_cell(modes_used) : text_cell(""),
+          settings.time_step > 0 ? setting_cell(settings.time_step) : text_cell(""),
+          contender.integrator == "sundials" ? setting_cell(settings.relative_tolerance) : text_cell(""),
+          n_unknowns > 0 ? count_cell(n_unknowns) : text_cell("")};
+}
+
+}  // namespace mb
