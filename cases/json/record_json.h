@@ -1,7 +1,7 @@
 // A Record as one flat JSON object, schema 1, one a line in results.jsonl:
 //
 //   {"schema":1,"run":"<32 hex digits>","case":"cylinder-compression","profile":"quick","method":"eigenmodes",
-//    "integrator":"exact","degree":4,"cells":[1,4],"settings":{"modes":16,"load_tolerance":1e-06},"modes_used":16,
+//    "integrator":"exact","degree":4,"cells":[1,4],"settings":{"modes":16,"load_tolerance":1e-05},"modes_used":16,
 //    "n_unknowns":22,"metric":"displacement-error","subject":"cylinder","truth":"finer","value":0.0123,"unit":"-",
 //    "error_bar":0.0004,"status":"ok","work":{"steps":175,...},"provenance":{"commit":"...",...}}
 //

@@ -7,7 +7,8 @@
 // Compressed values may hold the signature of a refused structure (below) by chance, in a file of n bytes with
 // probability p <= 1 - exp(-6 n / 2^32). Then the file is written again with a second shuffle, of stride k = 2 ... 64:
 // byte i of a chunk goes beside byte i + k, so that each k puts other bytes side by side, even where they do not
-// compress. Every HDF5 library undoes it. All fail with p^64, less than 1e-17 in a file of 512 MiB.
+// compress. The HDF5 library undoes it by itself, in other programs too. All fail with p^64, less than 1e-17 in a file
+// of 512 MiB.
 //
 // Read: untrusted. Plugins are off, and all else than the above is refused before its data is touched: heaps, soft,
 // external and user-defined links, groups, other types, external storage, virtual datasets, other filters (a file with
