@@ -38,7 +38,10 @@ mb_find_library(hdf5 hdf5.h LIBRARIES hdf5_serial PATHS /usr/include/hdf5/serial
 find_package(deal.II 9.4 REQUIRED)
 include(${DEAL_II_TARGET_CONFIG})
 add_library(mb_dealii INTERFACE IMPORTED GLOBAL)
-target_link_libraries(mb_dealii INTERFACE ${DEAL_II_TARGET_RELEASE})
+# Its MPI HDF5 must not be on our link line, or the door would bind to it; libdeal.ii.so itself still finds it.
+get_target_property(dealii_libraries ${DEAL_II_TARGET_RELEASE} INTERFACE_LINK_LIBRARIES)
+list(FILTER dealii_libraries EXCLUDE REGEX "hdf5")
+target_link_libraries(mb_dealii INTERFACE $<TARGET_FILE:${DEAL_II_TARGET_RELEASE}> ${dealii_libraries})
 set(dealii_includes ${DEAL_II_INCLUDE_DIRS})   # its target carries none
 list(REMOVE_ITEM dealii_includes /usr/include)
 target_include_directories(mb_dealii SYSTEM INTERFACE ${dealii_includes})

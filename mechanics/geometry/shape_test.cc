@@ -97,5 +97,51 @@ TEST(Patch, WeightIsOneAtTheCentreAndVanishesSmoothlyAtTheRim) {
   EXPECT_DOUBLE_EQ(weight({"z-max", {}}, {9, 9, 9}), 1);
 }
 
+// int w dA = pi a^2 / 3 on a plane and on a sphere; first moments about the centre vanish by symmetry.
+TEST(DiscRule, AreaAndMomentsAreExact) {
+  const std::vector<std::pair<Shape, Patch>> patches = {
+      {Cylinder{0.05, 0.2}, {"z-max", Disc{{0.02, 0.01, 0.1}, 0.008}}},
+      {Box{{0.3, 0.2, 0.5}}, {"y-min", Disc{{0.05, -0.1, 0.1}, 0.03}}},
+      {Sphere{0.07}, {"surface", Disc{{0, 0.07, 0}, 0.05}}},
+      {Sphere{0.07}, {"surface", Disc{{0, 0, -0.07}, 0.01}}}};
+  for (const auto& [shape, patch] : patches) {
+    const DiscRule rule = disc_rule(shape, patch);
+    const double a = patch.disc->radius, area = pi * a * a / 3;
+    EXPECT_NEAR(rule.weights.sum(), area, 1e-14 * area);
+    const Vector3d centre = rule.points * rule.weights / rule.weights.sum(), n = rule.normals.col(0);
+    const Vector3d offset = centre - patch.disc->centre;
+    EXPECT_LT(offset.cross(patch.disc->centre.normalized()).norm() * std::abs(n.norm()),
+              std::holds_alternative<Sphere>(shape) ? 1e-14 : 1);  // on a sphere only along the normal
+    if (!std::holds_alternative<Sphere>(shape)) {
+      EXPECT_LT(offset.norm(), 1e-15);
+    }
+    for (Index i = 0; i < rule.weights.size(); ++i)
+      EXPECT_LT(std::abs(face_distance(shape, patch.face, rule.points.col(i))), 1e-15);
+  }
+}
+
+// On the side the weighted area is pi a^2/3 (1 + O((a/R)^2)): the chord of a circle is shorter than its arc.
+TEST(DiscRule, SideOfACylinder) {
+  const double R = 0.05;
+  const auto area = [&](double a) {
+    return disc_rule(Cylinder{R, 0.4}, {"side", Disc{{0, R, 0.02}, a}}).weights.sum();
+  };
+  EXPECT_NEAR(area(0.001), pi * 1e-6 / 3, 1e-4 * pi * 1e-6 / 3);
+  // int int (1 - (c^2+z^2)/a^2)^2 / sqrt(1 - c^2/4R^2) dc dz, expanded: 1 + (1/8) <c^2>/R^2, <c^2> = a^2/8.
+  const double a = 0.01, expected = pi * a * a / 3 * (1 + a * a / (64 * R * R));
+  EXPECT_NEAR(area(a), expected, 1e-4 * expected);
+  EXPECT_GT(area(a), pi * a * a / 3);
+}
+
+TEST(DiscRule, WhatHangsOverTheRimIsLeftOut) {
+  const Cylinder can{0.05, 0.2};
+  const double whole = disc_rule(can, {"z-max", Disc{{0, 0, 0.1}, 0.02}}).weights.sum();
+  const double half = disc_rule(can, {"z-max", Disc{{0.05, 0, 0.1}, 0.02}}).weights.sum();
+  EXPECT_LT(half, 0.5 * whole);
+  EXPECT_GT(half, 0.35 * whole);
+  EXPECT_THROW(disc_rule(can, {"z-max", Disc{{5, 0, 0.1}, 0.03}}), std::invalid_argument);
+  EXPECT_THROW(disc_rule(can, {"z-max", {}}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace mb

@@ -7,7 +7,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <stdexcept>
+
+#include "reference/fem/evaluation.h"
 
 namespace mb::fem {
 
@@ -139,36 +140,42 @@ Matrices assemble(const Discretisation& d, const Material& material) {
 
 namespace {
 
-// int_patch w(x) f(x, n) N_a dA, f a vector at each quadrature point of the boundary.
-VectorXd integrate_patch(const Discretisation& d, const Patch& patch,
-                         const std::function<Vector3d(const Vector3d& normal)>& f) {
-  // The weight of a disc is a polynomial of degree 4 inside and zero outside: finer than the element needs.
-  const dealii::QGauss<2> gauss(d.element.degree + (patch.disc ? 6 : 2));
+using BoundaryField = std::function<Vector3d(const Vector3d& normal)>;
+
+// int_face f(n) N_a dA over the mesh's face.
+VectorXd integrate_face(const Discretisation& d, const std::string& name, const BoundaryField& f) {
+  const dealii::QGauss<2> gauss(d.element.degree + 2);
   dealii::FEFaceValues<3> values(d.mapping, d.element, gauss,
-                                 dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points |
-                                     dealii::update_normal_vectors);
-  const auto id = static_cast<unsigned>(d.boundary_id(patch.face));
+                                 dealii::update_values | dealii::update_JxW_values | dealii::update_normal_vectors);
+  const auto id = static_cast<unsigned>(d.boundary_id(name));
   VectorXd load = VectorXd::Zero(d.n_dofs());
   Indices ids(d.element.n_dofs_per_cell());
-  double area = 0;
   for (const auto& cell : d.nodes.active_cell_iterators())
     for (const auto& face : cell->face_iterators()) {
       if (!face->at_boundary() || face->boundary_id() != id) continue;
       values.reinit(cell, face);
       cell->get_dof_indices(ids);
       for (unsigned q = 0; q < gauss.size(); ++q) {
-        const auto& x = values.quadrature_point(q);
         const auto& n = values.normal_vector(q);
-        const double w = weight(patch, Vector3d(x[0], x[1], x[2])) * values.JxW(q);
-        if (w == 0) continue;
-        area += w;
-        const Vector3d wf = w * f(Vector3d(n[0], n[1], n[2]));
+        const Vector3d wf = values.JxW(q) * f(Vector3d(n[0], n[1], n[2]));
         for (unsigned a = 0; a < ids.size(); ++a)
           load.segment<3>(3 * static_cast<Index>(ids[a])) += values.shape_value(a, q) * wf;
       }
     }
-  if (area == 0) throw std::invalid_argument("the patch on face '" + patch.face + "' holds no quadrature point");
   return load;
+}
+
+// int_disc w f(n) N_a dA over the exact disc: force and moment are the same on every mesh, which whole-face quadrature
+// of a weight with compact support would not give.
+VectorXd integrate_disc(const Discretisation& d, const Patch& patch, const BoundaryField& f) {
+  const DiscRule rule = disc_rule(d.shape, patch);
+  Matrix3Xd wf(3, rule.weights.size());
+  for (Index i = 0; i < wf.cols(); ++i) wf.col(i) = rule.weights[i] * f(rule.normals.col(i));
+  return displacement_at(d, rule.points).transpose() * Eigen::Map<const VectorXd>(wf.data(), wf.size());
+}
+
+VectorXd integrate_patch(const Discretisation& d, const Patch& patch, const BoundaryField& f) {
+  return patch.disc ? integrate_disc(d, patch, f) : integrate_face(d, patch.face, f);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ struct Matrices {
 Matrices assemble(const Discretisation& d, const Material& material);
 
 // int_patch w(x) N_a n_i dA as a vector of size n_dofs (n: outward normal; direction absent), or int_patch w N_a t_i dA
-// for a fixed vector t. Throws std::invalid_argument if the patch holds no quadrature point.
+// for a fixed vector t; discs on the exact face, whole faces on the mesh's. Throws std::invalid_argument for a disc off
+// its face.
 VectorXd patch_load(const Discretisation& d, const Patch& patch, const Vector3d& traction);
 VectorXd patch_normal(const Discretisation& d, const Patch& patch);
 
