@@ -21,11 +21,11 @@ struct Mesh {
 // The integrands of the divergence theorem on a cell are polynomials of degree 3p - 1 per direction, the quadrature is
 // exact to 2p + 1: for p <= 2, or straight cells, only rounding is left; beyond, the quadrature error of curved cells,
 // which falls fast as they are split.
-const std::vector<Mesh> meshes = {{box, {1, {3, 2, 4}}, 1e-13},   {box, {4, {1, 1, 2}}, 1e-13},
-                                  {cylinder, {1, {2, 3}}, 1e-13}, {cylinder, {2, {1, 2}}, 1e-13},
-                                  {cylinder, {3, {1, 2}}, 1e-5},  {cylinder, {4, {1, 2}}, 1e-5},
-                                  {cylinder, {3, {2, 4}}, 1e-6},  {cylinder, {4, {2, 4}}, 1e-6},
-                                  {sphere, {1, {2}}, 1e-13},      {sphere, {2, {2}}, 1e-13}};
+const std::vector<Mesh> meshes = {
+    {box, {1, {3, 2, 4}}, 1e-13},   {box, {4, {1, 1, 2}}, 1e-13},  {cylinder, {1, {2, 3}}, 1e-13},
+    {cylinder, {2, {1, 2}}, 1e-13}, {cylinder, {3, {1, 2}}, 1e-5}, {cylinder, {4, {1, 2}}, 1e-5},
+    {cylinder, {3, {2, 4}}, 1e-6},  {cylinder, {4, {2, 4}}, 1e-6}, {sphere, {1, {1}}, 1e-13},
+    {sphere, {2, {1}}, 1e-13},      {sphere, {1, {2}}, 1e-13},     {sphere, {2, {2}}, 1e-13}};
 
 // Node values of the displacement u = G x.
 VectorXd linear_field(const Discretisation& d, const Eigen::Matrix3d& G) {

@@ -1,0 +1,113 @@
+// The program run in a folder by a test, and a case of a few hundred degrees of freedom that runs in seconds.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "harness/main.h"
+
+namespace mb {
+
+namespace fs = std::filesystem;
+
+struct Said {
+  int code;
+  std::string out, err;
+};
+
+// Runs the program in `folder`.
+inline Said modalbench(const fs::path& folder, std::vector<std::string> words) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder);
+  words.insert(words.begin(), "modalbench");
+  std::vector<char*> argv;
+  for (auto& word : words) argv.push_back(word.data());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int code = harness_main(static_cast<int>(argv.size()), argv.data(), default_catalogue());
+  fs::current_path(before);
+  return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+inline std::string text(const fs::path& file) {
+  std::ostringstream all;
+  all << std::ifstream(file).rdbuf();
+  return all.str();
+}
+
+// A case of a few hundred degrees of freedom that runs in seconds.
+inline std::string small_case(const std::string& at_most = "0.5",
+                              const std::string& history = R"({ kind = "pulse", duration = 0.1 })") {
+  return R"(schema = 1
+name = "small"
+title = "t"
+purpose = "p"
+source = "s"
+[time]
+duration = 0.1
+frame_rate = 60
+samples_per_second = 200
+[[body]]
+name = "body"
+[body.shape]
+kind = "cylinder"
+radius = 0.05
+length = 0.2
+[body.material]
+youngs_modulus = 2e4
+poissons_ratio = 0.45
+density = 1100
+[body.resolution]
+degree = 2
+cells = [1, 2]
+[[load]]
+name = "squeeze"
+history = )" +
+         history + R"(
+[[load.traction]]
+body = "body"
+face = "z-max"
+traction = [0, 0, -400]
+[[load.traction]]
+body = "body"
+face = "z-min"
+traction = [0, 0, 400]
+[[probe]]
+name = "top"
+body = "body"
+point = [0, 0, 0.1]
+direction = [0, 0, 1]
+[truth]
+relative_tolerance = 1e-4
+finer = { degree = 3, cells = [1, 2] }
+coarser = { degree = 2, cells = [1, 2] }
+[study]
+methods = ["static-correction"]
+modes = [4, 12]
+[[study.rival]]
+integrator = "newmark"
+degrees = [1]
+cells = [[1, 2]]
+time_steps = [0.01, 0.005]
+[[check]]
+method = "static-correction"
+metric = "displacement-error"
+truth = "same_mesh"
+modes = 12
+at_most = )" +
+         at_most + R"(
+why = "w"
+)";
+}
+
+inline fs::path written(const fs::path& file, const std::string& content) {
+  std::ofstream(file) << content;
+  return file;
+}
+
+}  // namespace mb
