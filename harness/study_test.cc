@@ -64,11 +64,10 @@ TEST(StudyCases, StiffBodiesUnderANetLoadFly) {
 
 TEST(StudyCases, ALateShortLoadIsNotSteppedOver) {
   const ScratchFolder scratch;
-  const std::string late = small_case("0.9", R"({ kind = "expression", formula = "exp(-((t-0.06)/0.004)^2)"
-})");
+  const std::string late = small_case("0.9", R"x({ kind = "expression", formula = "exp(-((t-0.06)/0.004)^2)" })x");
   const Said said = run(scratch, late);
-EXPECT_EQ(said.code, 0) << said.err;  // the check compares with the truth: both must see the load
-EXPECT_THAT(said.out, HasSubstr("holds"));
+  EXPECT_EQ(said.code, 0) << said.err;  // the check compares with the truth: both must see the load
+  EXPECT_THAT(said.out, HasSubstr("holds"));
 }
 
 TEST(StudyCases, OneCaseThatFailsDoesNotTakeTheOthersWithIt) {
