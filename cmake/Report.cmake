@@ -12,4 +12,8 @@ if(BUILD_TESTING)
     WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
     USES_TERMINAL VERBATIM)
   add_dependencies(check unit_tests layering modalbench)
+
+  # ./run on other systems, without root, without network: with stubs of all that it calls.
+  add_test(NAME run-script COMMAND ${PROJECT_SOURCE_DIR}/cmake/run_test)
+  set_tests_properties(run-script PROPERTIES LABELS unit TIMEOUT 60)
 endif()

@@ -19,7 +19,7 @@ function(hash_of variable)
   set(text "")
   foreach(place IN LISTS ARGN)   # a folder or a file
     file(GLOB_RECURSE files ${ROOT}/${place}/*.h ${ROOT}/${place}/*.cc ${ROOT}/${place})
-    list(FILTER files EXCLUDE REGEX "_(test|bench|fuzz)\\.cc$")
+    list(FILTER files EXCLUDE REGEX "_(test|bench|fuzz)\\.cc$|/(estimate|definitions)\\.(h|cc)$")   # which decide no result
     if(NOT files)
       message(FATAL_ERROR "no source at ${place}")
     endif()
@@ -34,8 +34,10 @@ function(hash_of variable)
   string(SUBSTRING ${hash} 0 16 hash)
   set(${variable} ${hash} PARENT_SCOPE)
 endfunction()
-hash_of(reference mechanics cases/contract cases/scene reference harness/study/truth.cc harness/store harness/catalogue.cc)
+hash_of(reference mechanics cases/contract cases/scene cases/exact reference harness/study/truth.cc harness/store
+        harness/catalogue.cc)
 hash_of(contenders modal harness/metrics harness/study harness/measure.cc)
+hash_of(analyses harness/analysis)
 
 execute_process(COMMAND git -C ${ROOT} describe --always --dirty --abbrev=12
   OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
@@ -49,6 +51,7 @@ namespace mb::sources {
 
 inline constexpr char reference[] = \"${reference}\";
 inline constexpr char contenders[] = \"${contenders}\";
+inline constexpr char analyses[] = \"${analyses}\";
 inline constexpr char libraries[] = \"${LIBRARIES}\";
 inline constexpr char commit[] = \"${commit}\";
 

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "harness/analysis/analysis.h"
 #include "harness/metrics/metric.h"
+#include "mechanics/system/central_difference.h"
 #include "mechanics/system/exact.h"
+#include "mechanics/system/explicit_euler.h"
 #include "mechanics/system/newmark.h"
+#include "mechanics/system/symplectic_euler.h"
 #include "modal/methods/methods.h"
 #include "reference/full_order.h"
 #include "reference/sundials.h"
@@ -13,13 +17,24 @@
 namespace mb {
 
 Catalogue default_catalogue() {
-  return {{full_order(), eigenmodes(), static_correction()},
+  using Knob = Integrator::Knob;
+  return {{full_order(), eigenmodes(), static_correction(), linear_strain(), quadratic_strain(), full_basis()},
           {{"exact", "closed form of every mode on each segment of the load",
-            [](const System& s, const Settings& set, double T) { return exact(s, T, set.load_tolerance); }},
-           {"newmark", "average acceleration with a fixed step",
-            [](const System& s, const Settings& set, double) { return newmark(s, set.time_step); }},
+            [](const System& s, const Settings& set, double T) { return exact(s, T, set.load_tolerance); }, Knob::none},
+           {"newmark", "average acceleration with a fixed step, one factor",
+            [](const System& s, const Settings& set, double) { return newmark(s, set.time_step); }, Knob::time_step},
+           {"central-difference", "explicit central differences; on a mesh with the mass lumped",
+            [](const System& s, const Settings& set, double) { return central_difference(s, set.time_step); },
+            Knob::time_step, true},
+           {"explicit-euler", "explicit Euler, the one the paper names",
+            [](const System& s, const Settings& set, double) { return explicit_euler(s, set.time_step); },
+            Knob::time_step, true},
+           {"symplectic-euler", "symplectic (semi-implicit) Euler",
+            [](const System& s, const Settings& set, double) { return symplectic_euler(s, set.time_step); },
+            Knob::time_step, true},
            {"sundials", "ARKODE, adaptive ESDIRK of order 5",
-            [](const System& s, const Settings& set, double T) { return sundials(s, set.relative_tolerance, T); }}}};
+            [](const System& s, const Settings& set, double T) { return sundials(s, set.relative_tolerance, T); },
+            Knob::tolerance}}};
 }
 
 const Method& Catalogue::method(const std::string& name) const {
@@ -36,9 +51,16 @@ const Integrator& Catalogue::integrator(const std::string& name) const {
 
 Vocabulary Catalogue::vocabulary() const {
   Vocabulary names;
-  for (const auto& method : methods) names.methods.push_back(method->name());
-  for (const auto& integrator : integrators) names.integrators.push_back(integrator.name);
+  for (const auto& method : methods) {
+    names.methods.push_back(method->name());
+    if (!method->takes_modes()) names.methods_without_modes.push_back(method->name());
+  }
+  for (const auto& integrator : integrators) {
+    names.integrators.push_back(integrator.name);
+    if (integrator.knob == Integrator::Knob::tolerance) names.adaptive_integrators.push_back(integrator.name);
+  }
   for (const Metric& metric : metric_catalogue()) names.metrics.push_back(metric.name);
+  for (const Analysis& analysis : analysis_catalogue()) names.analyses.push_back(analysis.name);
   return names;
 }
 

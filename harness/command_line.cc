@@ -28,6 +28,7 @@ void add_list(CLI::App& app, const Catalogue& catalogue, Action& action) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* command = app.add_subcommand("list", "cases and what each is about");
   command->add_option("pattern", options->pattern, "part of a name");
+  command->add_flag("--json", options->json, "one JSON object");
   command->callback(
       [&, options] { action = [&, options](const Console& c) { return list_command(*options, catalogue, c); }; });
 }
@@ -66,8 +67,25 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
   command->add_option("case", options->cases, "case names or files (default: all)");
   add_profile(*command, options->profile);
   command->add_option("--store", options->store, "where results are kept")->capture_default_str();
-  command->add_flag("--plan", options->plan, "list the runs and whether they are stored");
-  command->add_flag("--again", options->again, "run also what the store holds");
+  command
+      ->add_option("--set", options->overrides,
+                   "KEY=VALUE[,VALUE...] for modal.methods, modal.modes, modal.integrators, modal.time_steps, "
+                   "modal.relative_tolerances, rival.integrators, rival.degrees, rival.cells, rival.time_steps, "
+                   "rival.relative_tolerances, study.analyses; may be given again")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--jobs", options->jobs, "processes; times are taken afterwards, alone")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_option("--shard", options->shard, "i/n: only that part of the jobs; merging is copying the store")
+      ->capture_default_str();
+  command->add_flag("--plan", options->plan, "list the jobs and whether they are stored");
+  command->add_flag("--json", options->json, "the plan as one JSON object")->needs("--plan");
+  command->add_flag("--untimed", options->untimed, "marks and tables only; run again without it to take the times");
+  auto* const again = command->add_flag("--again", options->again, "run also what the store holds");
+  command->add_flag("--resume")
+      ->description("go on with what an interrupted run left: what happens anyway")
+      ->excludes(again);
   options->interrupted = [] { return interrupt_requested != 0; };
   command->callback(
       [&, options] { action = [&, options](const Console& c) { return run_command(*options, catalogue, c); }; });
@@ -81,6 +99,45 @@ void add_report(CLI::App& app, const Catalogue& catalogue, Action& action) {
   command->add_option("--store", options->store, "where results are kept")->capture_default_str();
   command->callback(
       [&, options] { action = [&, options](const Console& c) { return report_command(*options, catalogue, c); }; });
+}
+
+void add_new(CLI::App& app, const Catalogue& catalogue, Action& action) {
+  auto options = std::make_shared<NewOptions>();
+  CLI::App* command = app.add_subcommand("new", "write an annotated case: every key, unit, range, default");
+  auto* const file = command->add_option("file", options->file, "a .toml file that is not there yet");
+  auto* const schema = command->add_flag("--json-schema", options->json_schema, "print a schema for editors instead");
+  file->excludes(schema);
+  command->callback([&, options, command] {
+    if (options->file.empty() && !options->json_schema) throw CLI::RequiredError("file");
+    action = [&, options](const Console& c) { return new_command(*options, catalogue, c); };
+  });
+}
+
+void add_explain(CLI::App& app, const Catalogue& catalogue, Action& action) {
+  auto options = std::make_shared<ExplainOptions>();
+  CLI::App* command = app.add_subcommand("explain", "definition, formula and source of a word of the suite");
+  command->add_option("word", options->word, "a case, metric, key, method, integrator or analysis")->required();
+  command->callback(
+      [&, options] { action = [&, options](const Console& c) { return explain_command(*options, catalogue, c); }; });
+}
+
+void add_doctor(CLI::App& app, Action& action) {
+  auto options = std::make_shared<DoctorOptions>();
+  CLI::App* command = app.add_subcommand("doctor", "cores, threads, BLAS in use, clock noise");
+  command->add_option("--store", options->store, "whose disk is looked at")->capture_default_str();
+  command->add_flag("--json", options->json, "one JSON object");
+  command->callback([&, options] { action = [options](const Console& c) { return doctor_command(*options, c); }; });
+}
+
+void add_clean(CLI::App& app, const Catalogue& catalogue, Action& action) {
+  auto options = std::make_shared<CleanOptions>();
+  CLI::App* command = app.add_subcommand("clean", "what the store holds and what would go, sizes first");
+  command->add_option("case", options->cases, "files of cases that are not found by name");
+  command->add_option("--older", options->older, "an age like 30d: what is older goes as well");
+  command->add_flag("--yes", options->yes, "delete it");
+  command->add_option("--store", options->store, "where results are kept")->capture_default_str();
+  command->callback(
+      [&, options] { action = [&, options](const Console& c) { return clean_command(*options, catalogue, c); }; });
 }
 
 // Runs the action; names what went wrong and returns the exit code that says so.
@@ -109,6 +166,10 @@ int harness_main(int argc, char** argv, const Catalogue& catalogue) {
   add_modes(app, catalogue, action);
   add_run(app, catalogue, action);
   add_report(app, catalogue, action);
+  add_new(app, catalogue, action);
+  add_explain(app, catalogue, action);
+  add_doctor(app, action);
+  add_clean(app, catalogue, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -13,19 +13,37 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+namespace {
+
+double processor_seconds() {  // of this thread
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+Timing once(const std::function<void()>& work) {
+  const double before = processor_seconds();
+  const double time = seconds(work);
+  return {time, std::numeric_limits<double>::quiet_NaN(), 1, (processor_seconds() - before) / time};
+}
+
 Timing measure(const std::function<void()>& work, int repeats, double total) {
   work();
   std::vector<double> runs;
   double sum = 0;
+  const double before = processor_seconds();
   while (static_cast<int>(runs.size()) < repeats || (sum < total && runs.size() < 10'000)) {
     runs.push_back(seconds(work));
     sum += runs.back();
   }
+  const double busy = (processor_seconds() - before) / sum;
   std::sort(runs.begin(), runs.end());
   const auto quantile = [&](double q) {
     return runs[static_cast<size_t>(q * static_cast<double>(runs.size() - 1) + 0.5)];
   };
-  return {quantile(0.5), 0.5 * (quantile(0.75) - quantile(0.25)), static_cast<int>(runs.size())};
+  return {quantile(0.5), 0.5 * (quantile(0.75) - quantile(0.25)), static_cast<int>(runs.size()), busy};
 }
 
 std::string utc_date() {

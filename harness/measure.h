@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace mb {
@@ -10,9 +11,12 @@ struct Timing {
   double median;  // [s]
   double spread;  // [s] half the distance of the quartiles; NaN for a single run
   int repeats;    // counted runs
+  double busy = std::numeric_limits<double>::quiet_NaN();  // [-] processor time of this thread / wall-clock time, all
+                                                           // runs: well below 1 where something else had the core
 };
 
 double seconds(const std::function<void()>& work);  // one run
+Timing once(const std::function<void()>& work);     // one run, without a spread
 
 // A warm-up, then at least `repeats` runs and `total` seconds.
 Timing measure(const std::function<void()>& work, int repeats = 5, double total = 0.2);

@@ -2,19 +2,32 @@
 // mass, full Gauss quadrature, supports condensed:
 //
 //   u_full = T u,   M = T^T M_full T,   K = T^T K_full T,   F = T^T F_full
+//
+// With driven supports u is relative to the moving base, on which all supports of the body ride: F has one more column,
+// after the scene's loads, -T^T M_full r with r the rigid translation along the drive at all nodes, and s its
+// acceleration.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "cases/contract/model.h"
+#include "cases/contract/modes.h"
 
 namespace mb {
 
+// The lowest elastic modes of a system, at least as many as asked for: where a scene states damping ratios mode by
+// mode, full order needs the modes of its own mesh (System::modal_damping), and gets them from who knows how to.
+using ModeSolver = std::function<Modes(const System& system, int n_elastic)>;
+
 // Mesh and matrices of one body of the scene at the resolution given. Throws std::invalid_argument for supports which
-// leave nothing free or patches that touch no quadrature point.
-std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body, const Resolution& resolution);
+// leave nothing free or contradict each other, discs off their face, resolutions out of range, and damping ratios
+// without a solver. Damping ratios beyond the last one given, in the rest of a multiplet, are the last one's.
+std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body, const Resolution& resolution,
+                                            const ModeSolver& modes = {});
 
 // Every body of the scene, with its observation at the evaluation points. resolution: overrides that of every body.
-Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resolution = nullptr);
+Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resolution = nullptr,
+                  const ModeSolver& modes = {});
 
 }  // namespace mb

@@ -10,6 +10,7 @@ class FullOrder final : public Method {
  public:
   std::string name() const override { return "full-order"; }
   std::string doc() const override { return "every degree of freedom of the mesh (identity basis)"; }
+  bool takes_modes() const override { return false; }
   std::unique_ptr<Prepared> prepare(const Model& model, const Settings& settings,
                                     const Integrator& integrator) const override {
     std::vector<LinearBody> bodies;

@@ -9,9 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "mechanics/algebra/cholesky.h"
-#include "mechanics/system/mass_product.h"
 #include "mechanics/system/shifted.h"
+#include "mechanics/system/symmetric_product.h"
 
 namespace mb {
 
@@ -49,7 +48,7 @@ Scales motion_scales(const System& system, double duration) {
 
 // What one run needs at every callback. ARKODE sees it as user data and as the stage solver's content.
 struct Problem {
-  Problem(const System& system_, const Cholesky& mass_, double gamma)
+  Problem(const System& system_, const SpdFactor& mass_, double gamma)
       : system(system_),
         mass(mass_),
         factors(system_),
@@ -60,10 +59,10 @@ struct Problem {
         Mx(b) {}
 
   const System& system;
-  const Cholesky& mass;
+  const SpdFactor& mass;
   LoadFactors factors;
   Shifted A;
-  MassProduct M;
+  SymmetricProduct M;
   VectorXd b, x, Mx;
   void* arkode = nullptr;
   double before = 0;  // [s] next breakpoint: loads are taken from its left
@@ -86,7 +85,7 @@ int right_hand_side(realtype t, N_Vector y, N_Vector ydot, void* data) {
   const Vector u(NV_DATA_S(y), n), v(NV_DATA_S(y) + n, n);
   Vector(NV_DATA_S(ydot), n) = v;
   p.unbalanced(t, u);
-  if (p.system.damping.alpha != 0 || p.system.damping.beta != 0) p.b -= apply_damping(p.system, v);
+  if (is_damped(p.system)) p.b -= apply_damping(p.system, v);
   p.mass.solve(p.b.data(), NV_DATA_S(ydot) + n);
   ++p.work.solves;
   return 0;
@@ -143,7 +142,7 @@ void require(int flag, const char* call) {
 // ARKODE on one system: owns every SUNDIALS object of one run.
 class Run {
  public:
-  Run(const System& system, const Cholesky& mass, double tolerance, Scales scales, double gamma, double largest_step)
+  Run(const System& system, const SpdFactor& mass, double tolerance, Scales scales, double gamma, double largest_step)
       : problem_(system, mass, gamma) {
     const Index n = system.u0.size();
     SUNContext context = nullptr;
@@ -259,7 +258,7 @@ class Sundials final : public Stepper {
  private:
   const System& system_;
   double tolerance_, duration_;
-  Cholesky mass_;
+  SpdFactor mass_;
   Scales scales_;
   std::vector<double> breaks_;  // [s] ascending, the last beyond all times
 };

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "reports/content.h"
+#include "reports/findings.h"
+#include "reports/number.h"
 #include "reports/runs.h"
 
 namespace mb {
@@ -13,41 +15,86 @@ double bound(const Check& check) { return check.at_most ? *check.at_most : check
 // [unit of the metric] how far inside its bound a value lies; negative: outside.
 double margin(const Check& check, double value) { return check.at_most ? bound(check) - value : value - bound(check); }
 
+CheckResult blank(const Scene& scene, const Check& check, const std::string& status) {
+  CheckResult result{.case_name = scene.name, .profile = scene.profile, .check = check};
+  result.status = status;
+  return result;
+}
+
+void decide(CheckResult& result) {
+  const double inside = margin(result.check, result.value);
+  result.decidable = bound(result.check) >= result.error_bar || std::abs(inside) > result.error_bar;
+  result.holds = result.decidable && inside >= 0;
+}
+
 CheckResult judge(const Scene& scene, const Check& check, const std::vector<const Record*>& answers) {
-  CheckResult result{.case_name = scene.name, .check = check};
-  if (answers.empty()) result.status = "no record";
+  CheckResult result = blank(scene, check, answers.empty() ? "no record" : "ok");
   for (const Record* answer : answers) {
-    if (!is_usable(*answer)) {  // one failed part fails the whole check
-      CheckResult failed{.case_name = scene.name, .check = check};
-      failed.status = reason(*answer);
-      return failed;
-    }
+    if (!is_usable(*answer)) return blank(scene, check, reason(*answer));  // one failed part fails the whole check
     const bool worst = !result.measured || margin(check, answer->value) < margin(check, result.value);
     if (!worst) continue;
     result.measured = true;
     result.value = answer->value;
     result.error_bar = answer->error_bar.value_or(0);
   }
-  if (!result.measured) return result;
-  const double inside = margin(check, result.value);
-  result.decidable = bound(check) >= result.error_bar || std::abs(inside) > result.error_bar;
-  result.holds = result.decidable && inside >= 0;
+  if (result.measured) decide(result);
   return result;
+}
+
+// Rows are asked for by their first cell: a text, or a number as a person writes it.
+bool is_asked(const Check& check, const FindingCell& first) {
+  if (check.row.empty()) return true;
+  if (const auto* text = std::get_if<std::string>(&first)) return *text == check.row;
+  return format_setting(std::get<double>(first)) == check.row;
+}
+
+CheckResult judge(const Scene& scene, const Check& check, const std::vector<Finding>& findings) {
+  CheckResult result = blank(scene, check, "no record");
+  for (const Finding& finding : findings) {
+    const bool own = finding.case_name == scene.name && finding.profile == scene.profile && finding.name == check.table;
+    if (!own) continue;
+    if (!column_of(finding, check.column)) return blank(scene, check, "no such column");
+    for (std::size_t i = 0; i < finding.rows.size(); ++i) {
+      if (finding.rows[i].empty() || !is_asked(check, finding.rows[i][0])) continue;
+      const double value = number_at(finding, i, check.column);
+      if (std::isnan(value)) return blank(scene, check, "not a number in row " + std::to_string(i + 1));
+      if (result.measured && !(margin(check, value) < margin(check, result.value))) continue;
+      result.measured = true;
+      result.status = "ok";
+      result.value = value;
+    }
+  }
+  if (result.measured) decide(result);
+  return result;
+}
+
+std::vector<const Run*> runs_asked(const Scene& scene, const Check& check, const std::vector<Run>& runs) {
+  std::vector<const Run*> all, exact;
+  for (const Run& run : runs) {
+    const bool asked = run.case_name == scene.name && run.profile == scene.profile &&
+                       run.contender.method == check.method && run.contender.settings.modes == check.modes;
+    if (!asked) continue;
+    all.push_back(&run);
+    if (run.contender.integrator == "exact") exact.push_back(&run);
+  }
+  return exact.empty() ? all : exact;
 }
 
 }  // namespace
 
-std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const std::vector<Record>& records) {
+std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const std::vector<Record>& records,
+                                       const std::vector<Finding>& findings) {
   const std::vector<Run> runs = group_runs(records);
   std::vector<CheckResult> results;
   for (const Scene& scene : scenes) {
     for (const Check& check : scene.checks) {
+      if (!check.table.empty()) {
+        results.push_back(judge(scene, check, findings));
+        continue;
+      }
       std::vector<const Record*> answers;
-      for (const Run& run : runs) {
-        const bool asked = run.case_name == scene.name && run.profile == scene.profile &&
-                           run.contender.method == check.method && run.contender.settings.modes == check.modes;
-        if (!asked) continue;
-        for (const auto& [measure, record] : run.measures) {
+      for (const Run* run : runs_asked(scene, check, runs)) {
+        for (const auto& [measure, record] : run->measures) {
           if (measure.metric == check.metric && measure.truth == check.truth) answers.push_back(&record);
         }
       }
@@ -55,6 +102,11 @@ std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const s
     }
   }
   return results;
+}
+
+std::string subject_of(const Check& check) {
+  if (check.table.empty()) return check.metric;
+  return "table " + check.table + ", column " + check.column + (check.row.empty() ? "" : ", row " + check.row);
 }
 
 }  // namespace mb

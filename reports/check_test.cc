@@ -16,8 +16,27 @@ Scene scene_with(const Check& check) {
   return scene;
 }
 
-Check at_most(double bound) { return {"eigenmodes", "displacement-error", "finer", 8, bound, {}, "why"}; }
-Check at_least(double bound) { return {"eigenmodes", "displacement-error", "finer", 8, {}, bound, "why"}; }
+Check of_eight_modes() {
+  Check check{};
+  check.method = "eigenmodes";
+  check.metric = "displacement-error";
+  check.truth = "finer";
+  check.modes = 8;
+  check.why = "why";
+  return check;
+}
+
+Check at_most(double bound) {
+  Check check = of_eight_modes();
+  check.at_most = bound;
+  return check;
+}
+
+Check at_least(double bound) {
+  Check check = of_eight_modes();
+  check.at_least = bound;
+  return check;
+}
 
 CheckResult result_of(const Check& check, const std::vector<Record>& records) {
   const auto results = check_results({scene_with(check)}, records);
@@ -95,6 +114,44 @@ TEST(CheckResults, TheWorstBodyDecides) {
   EXPECT_DOUBLE_EQ(result_of(at_most(0.02), records).value, 0.03);
   EXPECT_FALSE(result_of(at_most(0.02), records).holds);
   EXPECT_DOUBLE_EQ(result_of(at_least(0.02), records).value, 0.01);
+}
+
+TEST(CheckResults, RunsInClosedFormAnswerWhereThereAreAny) {
+  std::vector<Record> records = answer(0.01, 0);
+  records.push_back(record("displacement-error", 0.5, 0, synthetic::stepped("eigenmodes", 8, "newmark", 0.001)));
+  EXPECT_DOUBLE_EQ(result_of(at_most(0.02), records).value, 0.01);
+  records.erase(records.begin());
+  EXPECT_DOUBLE_EQ(result_of(at_most(0.02), records).value, 0.5);
+}
+
+CheckResult of_table(const std::string& column, const std::string& row, double at_most) {
+  Check check{};
+  check.table = "damping";
+  check.column = column;
+  check.row = row;
+  check.at_most = at_most;
+  const auto results = check_results({scene_with(check)}, {}, synthetic::findings("cylinder-compression"));
+  EXPECT_EQ(results.size(), 1u);
+  return results.at(0);
+}
+
+TEST(CheckResults, OfATableTheWorstRowDecides) {
+  EXPECT_TRUE(of_table("zeta full", "", 0.0221).holds);
+  EXPECT_FALSE(of_table("zeta full", "", 0.0219).holds);  // 0.022 in row 20
+  EXPECT_DOUBLE_EQ(of_table("zeta full", "", 0.03).value, 0.022);
+}
+
+TEST(CheckResults, OfATableOneRowByItsFirstCell) {
+  EXPECT_TRUE(of_table("zeta full", "3", 0.0204).holds);
+  EXPECT_FALSE(of_table("zeta full", "21", 1).measured);
+  EXPECT_EQ(of_table("zeta full", "21", 1).status, "no record");
+}
+
+TEST(CheckResults, CellsWithoutANumberAndColumnsThatAreMissingAreNotMeasured) {
+  EXPECT_FALSE(of_table("zeta asked", "", 1).measured);  // n/a from row 7 on
+  EXPECT_EQ(of_table("zeta asked", "", 1).status, "not a number in row 7");
+  EXPECT_FALSE(of_table("no such", "", 1).holds);
+  EXPECT_EQ(of_table("no such", "", 1).status, "no such column");
 }
 
 }  // namespace

@@ -11,15 +11,14 @@ std::vector<Column> contender_columns() {
 }
 
 std::vector<Cell> contender_cells(const Contender& contender, int modes_used, long n_unknowns) {
-  const bool reduced = is_reduced(contender);
   const Settings& settings = contender.settings;
   return {text_cell(contender.method),
           text_cell(contender.integrator),
           text_cell(to_string(contender.resolution)),
-          reduced ? count_cell(settings.modes) : text_cell(""),
-          reduced && modes_used >= 0 ? count_cell(modes_used) : text_cell(""),
+          takes_modes(contender) ? count_cell(settings.modes) : text_cell(""),
+          is_reduced(contender) && modes_used >= 0 ? count_cell(modes_used) : text_cell(""),
           settings.time_step > 0 ? setting_cell(settings.time_step) : text_cell(""),
-          contender.integrator == "sundials" ? setting_cell(settings.relative_tolerance) : text_cell(""),
+          takes_tolerance(contender) ? setting_cell(settings.relative_tolerance) : text_cell(""),
           n_unknowns > 0 ? count_cell(n_unknowns) : text_cell("")};
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/contract/finding.h"
 #include "cases/contract/record.h"
 #include "cases/scene/scene.h"
 
@@ -14,14 +15,16 @@ namespace mb {
 
 struct ReportInput {
   std::vector<Record> records;
+  std::vector<Finding> findings;
   std::vector<Scene> scenes;                       // with their checks and prose
   std::map<std::string, std::string> environment;  // commit, date, profile, processor, threads, blas, compiler
   std::map<std::string, std::string> metric_docs;  // metric name, also of the times -> its only definition
 };
 
 // A check of a case with what was measured; where several bodies or probes answer it, the one furthest from its bound.
+// A check names no integrator: runs in closed form answer it, or all where a method was not run in closed form.
 struct CheckResult {
-  std::string case_name;
+  std::string case_name, profile;
   Check check;
   double value = 0, error_bar = 0;
   bool measured = false;      // false where no usable record answers it: `status` says what the record says, if any
@@ -29,7 +32,10 @@ struct CheckResult {
   bool decidable = true;      // false: the bound lies below the error bar and the value too near to tell
   std::string status = "ok";  // of the record; "no record" where there is none
 };
-std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const std::vector<Record>& records);
+// A check of a table: the row furthest from its bound; a cell that is no number leaves it unmeasured.
+std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const std::vector<Record>& records,
+                                       const std::vector<Finding>& findings = {});
+std::string subject_of(const Check& check);  // "displacement-error", "table frequencies, column largest error, row 3"
 
 // For one reduced run: the cheapest full-order contender whose error is at most the reduced run's, by the same metric.
 // No interpolation between runs. Errors below their bar count as the bar. rival empty: none reached that error. The

@@ -18,21 +18,22 @@ std::string families(const std::vector<Contender>& contenders) {
   std::string text;
   for (const auto& [family, members] : groups) {
     if (!text.empty()) text += "; ";
-    text += family + ", ";
-    if (members.size() > 1) text += std::to_string(members.size()) + " runs from ";
-    text += describe_setting(members.front());
-    if (members.size() > 1) text += " to " + describe_setting(members.back());
+    text += describe(members.front());
+    if (members.size() == 1) continue;
+    text.resize(text.size() - describe_setting(members.front()).size());
+    text += std::to_string(members.size()) + " runs from " + describe_setting(members.front()) + " to " +
+            describe_setting(members.back());
   }
   return text;
 }
 
 }  // namespace
 
-std::vector<Failure> failures_of(const Analysis& analysis) {
+std::vector<Failure> failures_of(const Evaluation& evaluation) {
   const auto before = [](const Contender& a, const Contender& b) { return precedes(a, b); };
   using Contenders = std::set<Contender, decltype(before)>;
   std::map<std::tuple<std::string, std::string, bool, std::string>, std::pair<Contenders, long>> found;
-  for (const Record& record : analysis.input.records) {
+  for (const Record& record : evaluation.input.records) {
     if (is_usable(record)) continue;
     auto& [contenders, n_measures] = found[{record.case_name, record.profile, is_undefined(record), reason(record)}];
     contenders.insert(record.contender);
@@ -53,7 +54,7 @@ std::vector<Failure> failures_of(const Analysis& analysis) {
   return all;
 }
 
-Sheet failures_table(const Analysis& analysis) {
+Sheet failures_table(const Evaluation& evaluation) {
   Sheet table{.name = "failures",
               .title = "Failures",
               .note = "Measures that have no number, by reason; what is undefined is no fault of the run.",
@@ -63,7 +64,7 @@ Sheet failures_table(const Analysis& analysis) {
   table.columns = {
       {"case", ""},   {"profile", ""},   {"runs", "", Column::Kind::number}, {"measures", "", Column::Kind::number},
       {"reason", ""}, {"contenders", ""}};
-  for (const Failure& one : failures_of(analysis)) {
+  for (const Failure& one : failures_of(evaluation)) {
     table.rows.push_back({text_cell(one.case_name), text_cell(one.profile), count_cell(one.n_runs),
                           count_cell(one.n_measures), text_cell(one.reason), text_cell(one.contenders)});
   }

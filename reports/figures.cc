@@ -1,6 +1,7 @@
 #include "reports/figures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -9,26 +10,40 @@
 namespace mb {
 namespace {
 
-// A name that came from a store as part of a file name.
-std::string file_part(const std::string& text) {
-  std::string part;
-  for (const char c : text.substr(0, 64)) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    part += plain ? c : '-';
+constexpr const char* method_palette[] = {"#0072B2", "#D55E00", "#009E73", "#56B4E9", "#A6761D", "#E7298A"};
+constexpr const char* degree_palette[] = {"#E69F00", "#CC79A7", "#8C6BB1", "#7F7F7F"};
+constexpr const char* shapes[] = {"circle",        "square", "triangle-up",   "diamond",
+                                  "triangle-down", "cross",  "triangle-left", "triangle-right"};
+
+std::size_t place(std::vector<std::string>& known, const std::string& name) {
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  known.push_back(name);
+  return known.size() - 1;
+}
+
+Json scale(const std::vector<DrawnSeries>& all, std::string DrawnSeries::*part) {
+  Json domain = Json::array(), range = Json::array();
+  for (const DrawnSeries& one : all) {
+    domain.push_back(one.name);
+    range.push_back(one.*part);
   }
-  return part;
+  return {{"domain", domain}, {"range", range}};
 }
 
 }  // namespace
 
-std::vector<Quantity> quantities(const Analysis& analysis) {
+Json colour_scale(const std::vector<DrawnSeries>& all) { return scale(all, &DrawnSeries::colour); }
+Json shape_scale(const std::vector<DrawnSeries>& all) { return scale(all, &DrawnSeries::shape); }
+
+std::vector<Quantity> quantities(const Evaluation& evaluation) {
   static const std::vector<std::string> order = {"displacement-error", "strain-error",  "surface-deviation",
                                                  "pose-translation",   "pose-rotation", "probe-error"};
   const auto place = [](const Quantity& quantity) {
     return std::tuple(std::find(order.begin(), order.end(), quantity.metric) - order.begin(), quantity);
   };
   std::set<Quantity> found;
-  for (const Record& record : analysis.input.records) {
+  for (const Record& record : evaluation.input.records) {
     if (is_mark(record) && is_reduced(record.contender)) found.insert({record.metric, record.subject, record.unit});
   }
   std::vector<Quantity> sorted(found.begin(), found.end());
@@ -52,73 +67,88 @@ std::string title(const Quantity& quantity) {
   return quantity.subject.empty() ? name : name + ", " + quantity.subject;
 }
 
-std::vector<std::string> series(const Analysis& analysis) {
-  std::vector<std::string> names;
-  for (const Run& run : analysis.runs) {
-    const std::string name = describe_series(run.contender);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+std::vector<DrawnSeries> series(const Evaluation& evaluation) {
+  std::vector<std::string> methods = {"eigenmodes", "static-correction", "quadratic", "linear", "full"};
+  std::vector<std::string> integrators = {"exact",    "newmark",        "central-difference",
+                                          "sundials", "explicit-euler", "symplectic-euler"};
+  std::map<std::string, DrawnSeries> found;
+  for (const Run& run : evaluation.runs) {
+    const Contender& c = run.contender;
+    const std::string name = describe_series(c);
+    if (found.contains(name)) continue;
+    const auto degree = static_cast<std::size_t>(std::max(1, c.resolution.degree) - 1);
+    const char* colour = c.method == "full-order"
+                             ? degree_palette[degree % std::size(degree_palette)]
+                             : method_palette[place(methods, c.method) % std::size(method_palette)];
+    found[name] = {name, colour, shapes[place(integrators, c.integrator) % std::size(shapes)]};
   }
-  std::stable_sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
-    return std::pair(a.starts_with("full order"), a) < std::pair(b.starts_with("full order"), b);
-  });
-  return names;
+  std::vector<DrawnSeries> all;
+  for (const bool full : {false, true}) {  // reduced ones first
+    for (const auto& [name, one] : found) {
+      if (name.starts_with("full ") == full) all.push_back(one);
+    }
+  }
+  return all;
 }
 
-TimeAxis time_axis(const Analysis& analysis) {
-  const bool known = std::all_of(analysis.runs.begin(), analysis.runs.end(),
-                                 [&](const Run& run) { return simulated_seconds(analysis, run).has_value(); });
+TimeAxis time_axis(const Evaluation& evaluation) {
+  const bool known = std::all_of(evaluation.runs.begin(), evaluation.runs.end(),
+                                 [&](const Run& run) { return simulated_seconds(evaluation, run).has_value(); });
   return {known, known ? "online time per simulated second [s]" : "online time [s]"};
 }
 
-Json run_json(const Analysis& analysis, const Run& run) {
-  const Contender& contender = run.contender;
-  Json json = {{"series", describe_series(contender)},
-               {"run", describe(contender)},
-               {"reduced", is_reduced(contender)},
-               {"mesh", to_string(contender.resolution)},
-               {"unknowns", run.n_unknowns}};
-  if (is_reduced(contender)) {
-    json["r"] = contender.settings.modes;
-    json["r_used"] = std::max(run.modes_used, 0);
-  }
-  if (contender.settings.time_step > 0) json["time_step"] = contender.settings.time_step;
-  if (!run.online || !is_usable(*run.online)) return json;
-  const double per = time_axis(analysis).per_simulated_second ? *simulated_seconds(analysis, run) : 1;
-  json["time"] = run.online->value / per;
-  if (run.online->error_bar) json["spread"] = *run.online->error_bar / per;  // a single run has none
-  return json;
-}
-
-std::vector<Figure> figures(const Analysis& analysis) {
-  std::map<std::tuple<std::string, std::string, std::string, Quantity>, Json> data;
-  for (const Run& run : analysis.runs) {
-    for (const auto& [measure, record] : run.measures) {
-      if (!is_usable(record)) continue;
-      Json datum = run_json(analysis, run);
-      datum["value"] = record.value;
-      datum["bar"] = record.error_bar.value_or(0);
-      const Quantity quantity{measure.metric, measure.subject, record.unit};
-      data[{run.case_name, run.profile, measure.truth, quantity}].push_back(std::move(datum));
-    }
-  }
-  std::vector<Figure> all;
-  for (auto& [key, values] : data) {
-    const auto& [case_name, profile, truth, quantity] = key;
-    std::string stem = file_part(case_name);
-    for (const std::string& part : {profile, truth, quantity.metric, quantity.subject}) {
-      if (part.empty()) continue;
-      stem += '-';
-      stem += file_part(part);
-    }
-    Json modes = error_against_modes(quantity, series(analysis), values);
-    Json work = work_against_precision(quantity, series(analysis), time_axis(analysis), values);
-    for (Json* specification : {&modes, &work}) {
-      (*specification)["title"] = case_name + ", profile " + profile + ", truth " + truth;
-    }
-    all.push_back({"error-against-modes-" + stem, std::move(modes)});
-    all.push_back({"work-against-precision-" + stem, std::move(work)});
+std::vector<Json> run_data(const Evaluation& evaluation) {
+  const bool per_second = time_axis(evaluation).per_simulated_second;
+  const std::vector<Drawn> all_drawn = drawn(evaluation.runs);
+  std::vector<Json> all;
+  for (std::size_t i = 0; i < evaluation.runs.size(); ++i) {
+    const Run& run = evaluation.runs[i];
+    const Contender& contender = run.contender;
+    Json& json = all.emplace_back(Json{{"series", describe_series(contender)},
+                                       {"family", describe_family(contender) + ", " + describe_size(contender)},
+                                       {"run", describe(contender)},
+                                       {"reduced", is_reduced(contender)},
+                                       {"mesh", to_string(contender.resolution)},
+                                       {"unknowns", run.n_unknowns},
+                                       {"against_modes", is_reduced(contender) && all_drawn[i].against_modes},
+                                       {"against_step", all_drawn[i].against_step}});
+    if (is_reduced(contender)) json["r_used"] = std::max(run.modes_used, 0);
+    if (takes_modes(contender)) json["r"] = contender.settings.modes;
+    if (contender.settings.time_step > 0) json["time_step"] = contender.settings.time_step;
+    if (!run.online || !is_usable(*run.online)) continue;
+    const double per = per_second ? *simulated_seconds(evaluation, run) : 1;
+    json["time"] = run.online->value / per;
+    if (run.online->error_bar) json["spread"] = *run.online->error_bar / per;  // a single run has none
   }
   return all;
+}
+
+Labels order_labels(const std::vector<Curve>& all, const Run& of_case, const Measure& measure, bool against_step,
+                    const std::vector<Drawn>& are_drawn, const std::vector<Run>& runs) {
+  Labels labels;
+  for (const Curve& curve : all) {
+    const bool wanted = curve.case_name == of_case.case_name && curve.profile == of_case.profile &&
+                        curve.measure == measure && !std::isnan(curve.observed.order) &&
+                        curve.refinement == (against_step ? Refinement::step : Refinement::modes);
+    if (!wanted) continue;
+    const auto i = static_cast<std::size_t>(curve.runs.back() - runs.data());
+    if (against_step && !are_drawn[i].against_step) continue;
+    const std::string name = describe_series(curve.contender);
+    labels[name] = name + (against_step ? ": dt^" : ": r^") +
+                   format_number(against_step ? curve.observed.order : -curve.observed.order);
+  }
+  return labels;
+}
+
+void label_legends(Json& part, const Labels& labels) {
+  if (labels.empty()) return;
+  if (part.is_object() && part.contains("labelLimit")) {
+    part["labelExpr"] = "(" + to_line(Json(labels)) + ")[datum.label] || datum.label";
+    part["columns"] = 2;
+  }
+  if (part.is_structured()) {
+    for (Json& child : part) label_legends(child, labels);
+  }
 }
 
 }  // namespace mb

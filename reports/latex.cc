@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "reports/render.h"
 
 namespace mb {
@@ -46,16 +48,19 @@ std::string line(const std::vector<std::string>& cells) {
 }  // namespace
 
 std::string latex_text(std::string_view text) {
+  // Symbols of the report's own words, which fonts of T1 encoding lack.
+  static constexpr std::pair<std::string_view, const char*> symbols[] = {
+      {"<=", "$\\le$"},      {">=", "$\\ge$"},     {"±", "$\\pm$"},    {"✔", "$\\surd$"},
+      {"▲", "$\\triangle$"}, {"⚡", "$\\uparrow$"}, {"✘", "$\\times$"}, {"–", "--"}};
   std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text.substr(i, 2) == "<=") {
-      result += "$\\le$";
-      ++i;
-    } else if (text.substr(i, 2) == ">=") {
-      result += "$\\ge$";
-      ++i;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto* symbol = std::find_if(std::begin(symbols), std::end(symbols),
+                                      [&](const auto& one) { return text.substr(i).starts_with(one.first); });
+    if (symbol != std::end(symbols)) {
+      result += symbol->second;
+      i += symbol->first.size();
     } else {
-      result += escaped(text[i]);
+      result += escaped(text[i++]);
     }
   }
   return result;

@@ -7,6 +7,6 @@
 
 namespace mb {
 
-std::string markdown_report(const Analysis& analysis);
+std::string markdown_report(const Evaluation& evaluation);
 
 }  // namespace mb

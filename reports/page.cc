@@ -1,10 +1,16 @@
 #include "reports/page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "reports/claims.h"
 #include "reports/figures.h"
+#include "reports/findings.h"
+#include "reports/matrix.h"
 #include "reports/number.h"
+#include "reports/orders.h"
+#include "reports/speedup.h"
 #include "reports/verdict.h"
 
 namespace mb {
@@ -12,42 +18,49 @@ namespace {
 
 constexpr std::string_view place_of_data = "@REPORTJSON@";
 
-const char* name_of(Column::Kind kind) {
-  switch (kind) {
-    case Column::Kind::text:
-      return "text";
-    case Column::Kind::number:
-      return "number";
-    case Column::Kind::error:
-      return "error";
-    case Column::Kind::time:
-      return "time";
+// Data of a specification as fields and rows, so that names stand once.
+Json figure_json(const Figure& figure) {
+  Json specification = figure.specification, fields = Json::array(), rows = Json::array();
+  const Json data = specification["data"]["values"];
+  for (const Json& datum : data) {
+    for (const auto& [name, value] : datum.items()) {
+      if (std::find(fields.begin(), fields.end(), Json(name)) == fields.end()) fields.push_back(name);
+    }
   }
-  return "text";
+  for (const Json& datum : data) {
+    Json row = Json::array();
+    for (const Json& name : fields) {
+      const auto entry = datum.find(name.get<std::string>());
+      const bool is_number = entry != datum.end() && entry->is_number();
+      row.push_back(entry == datum.end() ? Json(nullptr) : is_number ? rounded(entry->get<double>()) : *entry);
+    }
+    rows.push_back(std::move(row));
+  }
+  specification.erase("data");
+  return {{"name", figure.name}, {"specification", specification}, {"fields", fields}, {"rows", rows}};
 }
 
-// A cell is [text], [text, value] or [text, value, bar, status].
-Json cell_json(const Cell& cell) {
-  Json json = Json::array({cell.text});
-  if (cell.value || cell.bar || !cell.status.empty()) json.push_back(cell.value ? Json(*cell.value) : Json(nullptr));
-  if (cell.bar || !cell.status.empty()) {
-    json.push_back(cell.bar ? Json(*cell.bar) : Json(nullptr));
-    json.push_back(cell.status);
+Json findings_json(const Evaluation& evaluation) {
+  Json groups = Json::array();
+  for (const FindingGroup& group : finding_groups(evaluation)) {
+    Json tables = Json::array();
+    for (const Finding* finding : group.findings) {
+      const std::string stem = file_stem(evaluation, *finding);
+      Sheet table = shortened(sheet_of(*finding), longest_page_table, "data/" + stem + ".csv");
+      table.name = stem;
+      Json figures = Json::array();
+      for (const Figure& figure : finding_figures(*finding)) figures.push_back(figure_json(figure));
+      tables.push_back({{"case", finding->case_name},
+                        {"profile", finding->profile},
+                        {"table", table_json(table)},
+                        {"figures", figures}});
+    }
+    groups.push_back({{"analysis", group.analysis},
+                      {"heading", group.heading},
+                      {"before_speed_up", stands_before_speed_up(group.analysis)},
+                      {"tables", tables}});
   }
-  return json;
-}
-
-Json table_json(const Sheet& table) {
-  Json columns = Json::array(), rows = Json::array();
-  for (const Column& column : table.columns) {
-    columns.push_back({{"name", column.name}, {"unit", column.unit}, {"kind", name_of(column.kind)}});
-  }
-  for (const auto& row : table.rows) {
-    Json cells = Json::array();
-    for (const Cell& cell : row) cells.push_back(cell_json(cell));
-    rows.push_back(std::move(cells));
-  }
-  return {{"name", table.name}, {"title", table.title}, {"note", table.note}, {"columns", columns}, {"rows", rows}};
+  return groups;
 }
 
 Json verdict_json(const Verdict& verdict) {
@@ -66,23 +79,52 @@ Json verdict_json(const Verdict& verdict) {
 
 // Measures as [run, quantity, truth, value, bar]: indices keep a page of many runs small. Failed measures have value
 // null.
-Json measures_json(const Analysis& analysis, const std::vector<Quantity>& all, const std::vector<std::string>& truths) {
+Json measures_json(const Evaluation& evaluation, const std::vector<Quantity>& all,
+                   const std::vector<std::string>& truths) {
+  std::map<Quantity, std::size_t> place;
+  for (std::size_t i = 0; i < all.size(); ++i) place[all[i]] = i;
   Json measures = Json::array();
-  for (std::size_t i = 0; i < analysis.runs.size(); ++i) {
-    for (const auto& [measure, record] : analysis.runs[i].measures) {
-      const Quantity sought{measure.metric, measure.subject, record.unit};
-      const auto quantity = std::find(all.begin(), all.end(), sought) - all.begin();
+  for (std::size_t i = 0; i < evaluation.runs.size(); ++i) {
+    for (const auto& [measure, record] : evaluation.runs[i].measures) {
+      const auto quantity = place.find({measure.metric, measure.subject, record.unit});
+      if (quantity == place.end()) continue;
       const auto truth = std::find(truths.begin(), truths.end(), measure.truth) - truths.begin();
-      const Json value = is_usable(record) ? Json(record.value) : Json(nullptr);
-      measures.push_back(Json::array({i, quantity, truth, value, record.error_bar.value_or(0)}));
+      const Json value = is_usable(record) ? rounded(record.value) : Json(nullptr);
+      measures.push_back(Json::array({i, quantity->second, truth, value, rounded(record.error_bar.value_or(0))}));
     }
   }
   return measures;
 }
 
-std::vector<std::string> truths_of(const Analysis& analysis) {
+// What the legends say: [any run of the case, quantity, truth, figure, {series: label}].
+Json labels_json(const Evaluation& evaluation, const std::vector<Quantity>& all,
+                 const std::vector<std::string>& truths) {
+  const std::vector<Curve> all_curves = curves(evaluation);
+  const std::vector<Drawn> are_drawn = drawn(evaluation.runs);
+  Json labels = Json::array();
+  std::string last;
+  for (std::size_t i = 0; i < evaluation.runs.size(); ++i) {
+    const Run& run = evaluation.runs[i];
+    const std::string name = run.case_name + "\n" + run.profile;
+    if (name == last) continue;
+    last = name;
+    for (std::size_t q = 0; q < all.size(); ++q) {
+      if (!is_norm(all[q].metric)) continue;
+      for (std::size_t t = 0; t < truths.size(); ++t) {
+        for (const bool against_step : {false, true}) {
+          const Measure measure{all[q].metric, all[q].subject, truths[t]};
+          const Labels found = order_labels(all_curves, run, measure, against_step, are_drawn, evaluation.runs);
+          if (!found.empty()) labels.push_back(Json::array({i, q, t, against_step ? "steps" : "modes", found}));
+        }
+      }
+    }
+  }
+  return labels;
+}
+
+std::vector<std::string> truths_of(const Evaluation& evaluation) {
   std::vector<std::string> truths;
-  for (const Record& record : analysis.input.records) {
+  for (const Record& record : evaluation.input.records) {
     const bool known = std::find(truths.begin(), truths.end(), record.truth) != truths.end();
     if (is_mark(record) && !known) truths.push_back(record.truth);
   }
@@ -90,35 +132,48 @@ std::vector<std::string> truths_of(const Analysis& analysis) {
   return truths;
 }
 
-Json plots_json(const Analysis& analysis) {
-  const std::vector<Quantity> all = quantities(analysis);
-  const std::vector<std::string> names = series(analysis), truths = truths_of(analysis);
+Json plots_json(const Evaluation& evaluation) {
+  const std::vector<Quantity> all = quantities(evaluation);
+  const std::vector<std::string> truths = truths_of(evaluation);
+  const std::vector<DrawnSeries> names = series(evaluation);
+  const std::vector<Json> data = run_data(evaluation);
   Json runs = Json::array(), list = Json::array();
-  for (const Run& run : analysis.runs) {
-    Json json = run_json(analysis, run);
-    json["case"] = run.case_name;
-    json["profile"] = run.profile;
+  for (std::size_t i = 0; i < evaluation.runs.size(); ++i) {
+    Json json = data[i];
+    for (const char* field : {"time", "spread"}) {
+      if (json.contains(field)) json[field] = rounded(json[field].get<double>());
+    }
+    json["case"] = evaluation.runs[i].case_name;
+    json["profile"] = evaluation.runs[i].profile;
     runs.push_back(std::move(json));
   }
-  for (const Quantity& quantity : all) {
-    list.push_back({{"metric", quantity.metric},
-                    {"subject", quantity.subject},
-                    {"title", title(quantity)},
-                    {"modes", error_against_modes(quantity, names, Json::array())},
-                    {"work", work_against_precision(quantity, names, time_axis(analysis), Json::array())}});
+  for (const Quantity& one : all) {
+    list.push_back({{"metric", one.metric}, {"subject", one.subject}, {"unit", one.unit}, {"title", title(one)}});
   }
-  return {{"runs", runs}, {"quantities", list}, {"truths", truths}, {"measures", measures_json(analysis, all, truths)}};
+  const Quantity any{metric_placeholder, "", unit_placeholder};
+  const Json specifications = {{"modes", error_against_modes(any, names, Json::array())},
+                               {"steps", error_against_step(any, names, Json::array())},
+                               {"work", work_against_precision(any, names, time_axis(evaluation), Json::array())}};
+  Json bars = nullptr;
+  if (const auto figure = speed_up_figure(headline_pairs(evaluation))) bars = figure_json({"speed-up", *figure});
+  return {{"runs", runs},
+          {"quantities", list},
+          {"specifications", specifications},
+          {"speed_up", bars},
+          {"labels", labels_json(evaluation, all, truths)},
+          {"truths", truths},
+          {"measures", measures_json(evaluation, all, truths)}};
 }
 
-Json cases_json(const Analysis& analysis) {
+Json cases_json(const Evaluation& evaluation) {
   Json cases = Json::array();
-  for (const Scene& scene : analysis.input.scenes) {
+  for (const Scene& scene : evaluation.input.scenes) {
     cases.push_back({{"name", scene.name},
                      {"profile", scene.profile},
                      {"title", scene.title},
                      {"purpose", scene.purpose},
                      {"source", scene.source},
-                     {"truth", truth_sentences(analysis, scene)},
+                     {"truth", truth_sentences(evaluation, scene)},
                      {"duration", scene.duration},
                      {"frame_rate", scene.frame_rate},
                      {"samples_per_second", scene.samples_per_second}});
@@ -140,29 +195,33 @@ std::string script_json(const Json& json) {
   return text;
 }
 
-Json page_json(const Analysis& analysis) {
+Json page_json(const Evaluation& evaluation) {
   Json terms = Json::array();
-  for (const Definition& one : definitions(analysis)) terms.push_back(Json::array({one.term, one.text}));
+  for (const Explanation& one : definitions(evaluation)) terms.push_back(Json::array({one.term, one.text}));
   Json tables = Json::object();
-  for (const Sheet& table : {contenders_table(analysis), speed_up_table(analysis), checks_table(analysis),
-                             probes_table(analysis), failures_table(analysis)}) {
+  const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
+  for (const Sheet& table :
+       {contenders_table(evaluation), matrix_table(evaluation), orders_table(curves(evaluation)),
+        speed_up_table(evaluation, front), phases_table(evaluation, front), claims_table(evaluation),
+        checks_table(evaluation), probes_table(evaluation), failures_table(evaluation)}) {
     tables[table.name] = table_json(table);
   }
   return {{"schema", 1},
-          {"verdict", verdict_json(verdict_of(analysis))},
-          {"environment", analysis.input.environment},
-          {"cases", cases_json(analysis)},
+          {"verdict", verdict_json(verdict_of(evaluation))},
+          {"environment", evaluation.input.environment},
+          {"cases", cases_json(evaluation)},
           {"tables", tables},
-          {"plots", plots_json(analysis)},
+          {"findings", findings_json(evaluation)},
+          {"plots", plots_json(evaluation)},
           {"definitions", terms},
-          {"commands", reproducing_commands(analysis)}};
+          {"commands", reproducing_commands(evaluation)}};
 }
 
-std::string page(const Analysis& analysis, std::string_view page_template) {
+std::string page(const Evaluation& evaluation, std::string_view page_template) {
   const std::size_t place = page_template.find(place_of_data);
   if (place == std::string_view::npos) throw std::logic_error("the page template has no place for the data");
   std::string text(page_template.substr(0, place));
-  text += script_json(page_json(analysis));
+  text += script_json(page_json(evaluation));
   return text + std::string(page_template.substr(place + place_of_data.size()));
 }
 

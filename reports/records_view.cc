@@ -4,7 +4,7 @@
 
 namespace mb {
 
-Sheet records_table(const Analysis& analysis) {
+Sheet records_table(const Evaluation& evaluation) {
   constexpr Column::Kind number = Column::Kind::number;
   Sheet table{.name = "records", .title = "Records", .note = "", .columns = {}, .rows = {}};
   table.columns = {{"run", ""}, {"case", ""}, {"profile", ""}};
@@ -19,7 +19,7 @@ Sheet records_table(const Analysis& analysis) {
                                             {"solves", "", number}}) {
     table.columns.push_back(std::move(column));
   }
-  for (const Record& record : analysis.input.records) {
+  for (const Record& record : evaluation.input.records) {
     std::vector<Cell> row = {text_cell(record.run), text_cell(record.case_name), text_cell(record.profile)};
     for (Cell& cell : contender_cells(record.contender, record.modes_used, record.n_unknowns)) {
       row.push_back(std::move(cell));

@@ -98,8 +98,8 @@ TEST(Page, DataCannotLeaveTheirElement) {
 }
 
 TEST(Page, ATemplateWithoutAPlaceForTheDataIsRefused) {
-  EXPECT_THROW(page(analyse(synthetic::input()), "<html></html>"), std::logic_error);
-  EXPECT_THAT(page(analyse(ReportInput{}), "[@REPORTJSON@]"), testing::StartsWith("[{\"schema\":1"));
+  EXPECT_THROW(page(evaluate(synthetic::input()), "<html></html>"), std::logic_error);
+  EXPECT_THAT(page(evaluate(ReportInput{}), "[@REPORTJSON@]"), testing::StartsWith("[{\"schema\":1"));
 }
 
 }  // namespace

@@ -5,10 +5,16 @@
 #include <system_error>
 
 #include "cases/json/record_json.h"
+#include "reports/claims.h"
 #include "reports/figures.h"
+#include "reports/findings.h"
 #include "reports/markdown_report.h"
+#include "reports/matrix.h"
+#include "reports/orders.h"
 #include "reports/page.h"
 #include "reports/render.h"
+#include "reports/speedup.h"
+#include "reports/verdict.h"
 
 namespace mb {
 namespace {
@@ -20,9 +26,12 @@ struct File {
   std::string text;
 };  // path relative to the report's directory
 
-std::vector<Sheet> all_tables(const Analysis& analysis) {
-  return {checks_table(analysis),   reduced_table(analysis), rivals_table(analysis),
-          speed_up_table(analysis), probes_table(analysis),  failures_table(analysis)};
+std::vector<Sheet> all_tables(const Evaluation& evaluation) {
+  const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
+  return {checks_table(evaluation),        matrix_table(evaluation),         reduced_table(evaluation),
+          rivals_table(evaluation),        orders_table(curves(evaluation)), speed_up_table(evaluation, front),
+          phases_table(evaluation, front), claims_table(evaluation),         probes_table(evaluation),
+          failures_table(evaluation)};
 }
 
 // Keys of a table that are spelled out in the titles of its parts: case, profile, truth.
@@ -38,18 +47,36 @@ std::string record_lines(const std::vector<Record>& records) {
   return text;
 }
 
-std::vector<File> compose(const Analysis& analysis) {
-  std::vector<File> files = {{"report.md", markdown_report(analysis)},
-                             {"data/results.jsonl", record_lines(analysis.input.records)},
-                             {"data/records.csv", csv(records_table(analysis))}};
-  for (const Sheet& table : all_tables(analysis)) {
+void add_findings(std::vector<File>& files, const Evaluation& evaluation) {
+  for (const Finding& finding : evaluation.input.findings) {
+    const std::string stem = file_stem(evaluation, finding);
+    const Sheet table = sheet_of(finding);
+    files.push_back({"data/" + stem + ".csv", csv(table)});
+    files.push_back({"tables/" + stem + ".tex", latex(shortened(table, longest_text_table, "data/" + stem + ".csv"))});
+    for (const Figure& figure : finding_figures(finding)) {
+      const std::string name = figure.name + "-" + file_part(finding.case_name) + "-" + file_part(finding.profile);
+      files.push_back({"figures/" + name + ".vl.json", to_line(figure.specification) + "\n"});
+    }
+  }
+}
+
+std::vector<File> compose(const Evaluation& evaluation) {
+  std::vector<File> files = {{"report.md", markdown_report(evaluation)},
+                             {"data/results.jsonl", record_lines(evaluation.input.records)},
+                             {"data/records.csv", csv(records_table(evaluation))},
+                             {"data/speed-up-all.csv", csv(speed_up_table(evaluation, evaluation.speed_ups))}};
+  for (const Sheet& table : all_tables(evaluation)) {
     files.push_back({"data/" + table.name + ".csv", csv(table)});
     files.push_back({"tables/" + table.name + ".tex", latex_parts(table)});
   }
-  for (const Figure& figure : figures(analysis)) {
+  for (const Figure& figure : figures(evaluation)) {
     files.push_back({"figures/" + figure.name + ".vl.json", to_line(figure.specification) + "\n"});
   }
-  if (page_available()) files.push_back({"report.html", page(analysis, page_template())});
+  if (const auto bars = speed_up_figure(headline_pairs(evaluation))) {
+    files.push_back({"figures/speed-up.vl.json", to_line(*bars) + "\n"});
+  }
+  add_findings(files, evaluation);
+  if (page_available()) files.push_back({"report.html", page(evaluation, page_template())});
   return files;
 }
 
@@ -73,7 +100,7 @@ bool page_available() { return !page_template().empty(); }
 
 std::vector<fs::path> write_report(const ReportInput& input, const fs::path& directory) {
   std::vector<fs::path> written;
-  for (const File& file : compose(analyse(input))) {
+  for (const File& file : compose(evaluate(input))) {
     written.push_back(directory / file.path);
     write(written.back(), file.text);
   }

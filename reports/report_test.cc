@@ -44,7 +44,29 @@ TEST_F(WriteReport, WritesEveryFileItNames) {
         "figures/work-against-precision-cylinder-compression-quick-finer-displacement-error.vl.json"}) {
     EXPECT_TRUE(fs::exists(directory_ / name)) << name;
   }
+  for (const char* name :
+       {"data/orders.csv", "tables/claims.tex", "data/matrix.csv", "data/phases.csv", "data/speed-up-all.csv",
+        "data/cylinder-compression-step-limits.csv", "tables/cylinder-compression-aliasing.tex",
+        "figures/speed-up.vl.json", "figures/budget-M-cylinder-compression-quick.vl.json",
+        "figures/error-against-step-cylinder-compression-quick-finer-strain-error.vl.json"}) {
+    EXPECT_TRUE(fs::exists(directory_ / name)) << name;
+  }
   EXPECT_EQ(fs::exists(directory_ / "report.html"), page_available());
+}
+
+TEST_F(WriteReport, SectionsStandInTheReportsOrder) {
+  write_report(synthetic::input(), directory_);
+  const std::string text = read(directory_ / "report.md");
+  std::size_t last = 0;
+  for (const char* heading :
+       {"## Verdict", "## Checks", "## Cases and contenders", "## Error against r", "## Observed orders",
+        "## Error budget", "## Step limits", "## Temporal aliasing", "## Speed-up at equal error",
+        "## Frequency response", "## Damping", "## Mode amplitudes", "## The paper's claims"}) {
+    const std::size_t at = text.find(std::string("\n") + heading + "\n");
+    ASSERT_NE(at, std::string::npos) << heading;
+    EXPECT_GT(at, last) << heading;
+    last = at;
+  }
 }
 
 TEST_F(WriteReport, RecordsReadBack) {
@@ -98,7 +120,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST_F(WriteReport, ListsAReasonOnceWithTheRunsItStruck) {
   write_report(troubled_input(), directory_);
   const std::string text = read(directory_ / "report.md");
-  EXPECT_THAT(text, HasSubstr("6 runs failed. "));  // five of the new reason, one not finite; undefined is none
+  EXPECT_THAT(text, HasSubstr("7 runs failed. "));  // five of the new reason, two not finite; undefined is none
   EXPECT_THAT(text,
               HasSubstr("5 runs: point lies in no cell: Q1 1x2, newmark, 5 runs from step 0.02 s to step 0.00125"));
   EXPECT_EQ(count(text, "point lies in no cell"), 2u);  // verdict and table
@@ -113,16 +135,16 @@ TEST_F(WriteReport, TruthsAreNoContenders) {
     EXPECT_THAT(read(directory_ / name), Not(HasSubstr("Q4 2x4"))) << name;
   }
   EXPECT_THAT(read(directory_ / "data/records.csv"), HasSubstr("truth-above-band"));
-  const Analysis analysis = analyse(troubled_input());
-  for (const Figure& figure : figures(analysis)) EXPECT_THAT(figure.name, Not(HasSubstr("truth-above-band")));
-  for (const Quantity& quantity : quantities(analysis)) EXPECT_NE(quantity.metric, "truth-above-band");
+  const Evaluation evaluation = evaluate(troubled_input());
+  for (const Figure& figure : figures(evaluation)) EXPECT_THAT(figure.name, Not(HasSubstr("truth-above-band")));
+  for (const Quantity& quantity : quantities(evaluation)) EXPECT_NE(quantity.metric, "truth-above-band");
 }
 
 TEST(Definitions, StandOnceAndTimesComeFromTheirMetrics) {
   ReportInput input = synthetic::input();
   input.metric_docs["offline-time"] = "as measured";
   std::set<std::string> terms;
-  for (const Definition& one : definitions(analyse(input))) {
+  for (const Explanation& one : definitions(evaluate(input))) {
     EXPECT_TRUE(terms.insert(one.term).second) << one.term;
     EXPECT_FALSE(one.text.empty()) << one.term;
     EXPECT_NE(one.term, "offline time");
@@ -138,7 +160,8 @@ TEST_F(WriteReport, WithoutRecordsItSaysSo) {
   write_report({}, directory_);
   EXPECT_THAT(read(directory_ / "report.md"), HasSubstr("There are no records"));
   EXPECT_THAT(read(directory_ / "report.md"), HasSubstr("No case in this report states a check"));
-  write_report({.records = {}, .scenes = {synthetic::scene()}, .environment = {}, .metric_docs = {}}, directory_);
+  write_report({.records = {}, .findings = {}, .scenes = {synthetic::scene()}, .environment = {}, .metric_docs = {}},
+               directory_);
   EXPECT_THAT(read(directory_ / "report.md"), HasSubstr("3 not measured"));
 }
 
@@ -152,6 +175,13 @@ TEST_F(WriteReport, HostileNamesStayText) {
   }
   input.scenes[0].title = script;
   input.environment["commit"] = "`rm -rf`\n# heading";
+  for (Finding& finding : input.findings) {
+    finding.case_name = script;
+    finding.title = finding.note = script;
+    if (finding.name == "damping") finding.name = std::string("../../y\\input{z}");
+    finding.columns[0].name = script;
+    finding.rows[0][0] = std::string("=cmd|'/c calc'!A1");
+  }
   for (const fs::path& file : write_report(input, directory_)) {
     EXPECT_EQ(fs::relative(file, directory_).string().find(".."), std::string::npos) << file;
     const std::string text = read(file);
@@ -183,7 +213,7 @@ TEST_F(WriteReport, AnUnwritableDirectoryIsAnError) {
 }
 
 TEST(Figures, HoldOneDatumARunAndNoFailedOnes) {
-  const auto all = figures(analyse(synthetic::input()));
+  const auto all = figures(evaluate(synthetic::input()));
   ASSERT_FALSE(all.empty());
   for (const Figure& figure : all) {
     for (const Json& datum : figure.specification["data"]["values"]) {
@@ -195,12 +225,12 @@ TEST(Figures, HoldOneDatumARunAndNoFailedOnes) {
 
 TEST(Figures, TimesAreASimulatedSecondsWhereTheSceneIsKnown) {
   ReportInput input = synthetic::input();
-  const Analysis known = analyse(input);
+  const Evaluation known = evaluate(input);
   input.scenes.clear();
-  const Analysis unknown = analyse(input);
+  const Evaluation unknown = evaluate(input);
   EXPECT_TRUE(time_axis(known).per_simulated_second);
   EXPECT_FALSE(time_axis(unknown).per_simulated_second);
-  const double a = run_json(known, known.runs[0])["time"], b = run_json(unknown, unknown.runs[0])["time"];
+  const double a = run_data(known)[0]["time"], b = run_data(unknown)[0]["time"];
   EXPECT_NEAR(a * synthetic::scene().duration, b, 1e-15 * b * 8);  // one division and one product
 }
 

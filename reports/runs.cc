@@ -9,19 +9,37 @@
 namespace mb {
 namespace {
 
-auto order(const std::string& case_name, const std::string& profile, const Contender& c) {
-  return std::tuple(case_name, profile, !is_reduced(c), c.method, c.integrator, c.settings.modes, c.resolution.degree,
-                    c.resolution.cells, -c.settings.time_step, -c.settings.relative_tolerance,
-                    c.settings.load_tolerance);
+template <typename Text, typename Counts>
+using Place = std::tuple<Text, Text, bool, Text, Text, int, int, Counts, double, double, double>;
+using OwnPlace = Place<std::string, std::vector<int>>;
+
+Place<const std::string&, const std::vector<int>&> order(const std::string& case_name, const std::string& profile,
+                                                         const Contender& c) {
+  return {case_name,
+          profile,
+          !is_reduced(c),
+          c.method,
+          c.integrator,
+          c.settings.modes,
+          c.resolution.degree,
+          c.resolution.cells,
+          -c.settings.time_step,
+          -c.settings.relative_tolerance,
+          c.settings.load_tolerance};
 }
+
+const std::string none;
+
+// Empty parts leave no comma.
+std::string joined(const std::string& a, const std::string& b) { return a.empty() || b.empty() ? a + b : a + ", " + b; }
 
 }  // namespace
 
 std::vector<Run> group_runs(const std::vector<Record>& records) {
-  std::map<decltype(order({}, {}, Contender{})), Run> found;
+  std::map<OwnPlace, Run> found;
   for (const Record& record : records) {
     if (is_of_truth(record)) continue;
-    Run& run = found[order(record.case_name, record.profile, record.contender)];
+    Run& run = found[OwnPlace(order(record.case_name, record.profile, record.contender))];
     run.case_name = record.case_name;
     run.profile = record.profile;
     run.contender = record.contender;
@@ -40,11 +58,26 @@ std::vector<Run> group_runs(const std::vector<Record>& records) {
   return runs;
 }
 
-bool same_contender(const Contender& a, const Contender& b) { return order({}, {}, a) == order({}, {}, b); }
+const Run* find_run(const std::vector<Run>& grouped, const Record& record) {
+  const auto wanted = order(record.case_name, record.profile, record.contender);
+  const auto of = [](const Run& run) { return order(run.case_name, run.profile, run.contender); };
+  const auto found = std::partition_point(grouped.begin(), grouped.end(), [&](const Run& r) { return of(r) < wanted; });
+  return found != grouped.end() && of(*found) == wanted ? &*found : nullptr;
+}
 
-bool precedes(const Contender& a, const Contender& b) { return order({}, {}, a) < order({}, {}, b); }
+bool same_contender(const Contender& a, const Contender& b) { return order(none, none, a) == order(none, none, b); }
 
-bool is_reduced(const Contender& contender) { return contender.method != "full-order"; }
+bool precedes(const Contender& a, const Contender& b) { return order(none, none, a) < order(none, none, b); }
+
+bool is_reduced(const Contender& contender) { return contender.method != "full-order" && contender.method != "full"; }
+
+bool takes_modes(const Contender& contender) {
+  return is_reduced(contender) && contender.method != "linear" && contender.method != "quadratic";
+}
+
+bool takes_tolerance(const Contender& contender) {
+  return contender.integrator != "exact" && !(contender.settings.time_step > 0);
+}
 
 bool is_of_truth(const Record& record) { return record.metric.starts_with("truth-"); }
 
@@ -63,22 +96,34 @@ std::string reason(const Record& record) {
 }
 
 std::string describe(const Contender& contender) {
-  return describe_family(contender) + ", " + describe_setting(contender);
+  return joined(describe_family(contender), describe_setting(contender));
 }
 
 std::string describe_family(const Contender& contender) {
-  return is_reduced(contender) ? contender.method : to_string(contender.resolution) + ", " + contender.integrator;
+  const std::string mesh = to_string(contender.resolution);
+  if (contender.method == "full-order") return mesh + ", " + contender.integrator;
+  if (!is_reduced(contender)) return contender.method + " " + mesh + ", " + contender.integrator;
+  return joined(contender.method, contender.integrator == "exact" ? "" : contender.integrator);
+}
+
+std::string describe_size(const Contender& contender) {
+  if (takes_modes(contender)) return "r = " + std::to_string(contender.settings.modes);
+  return is_reduced(contender) ? "" : to_string(contender.resolution);
+}
+
+std::string describe_accuracy(const Contender& contender) {
+  const Settings& settings = contender.settings;
+  if (settings.time_step > 0) return "step " + format_setting(settings.time_step) + " s";
+  return takes_tolerance(contender) ? "rtol " + format_setting(settings.relative_tolerance) : "";
 }
 
 std::string describe_setting(const Contender& contender) {
-  const Settings& settings = contender.settings;
-  if (is_reduced(contender)) return "r = " + std::to_string(settings.modes);
-  if (settings.time_step > 0) return "step " + format_setting(settings.time_step) + " s";
-  return "rtol " + format_setting(settings.relative_tolerance);
+  return joined(is_reduced(contender) ? describe_size(contender) : "", describe_accuracy(contender));
 }
 
 std::string describe_series(const Contender& contender) {
-  if (is_reduced(contender)) return contender.method;
+  if (is_reduced(contender)) return describe_family(contender);
+  if (contender.method != "full-order") return "full basis, " + contender.integrator;
   return "full order Q" + std::to_string(contender.resolution.degree) + ", " + contender.integrator;
 }
 

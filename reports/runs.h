@@ -32,21 +32,27 @@ struct Run {
 // integrator, modes, mesh and time step (largest first).
 std::vector<Run> group_runs(const std::vector<Record>& records);
 
+const Run* find_run(const std::vector<Run>& grouped, const Record& record);  // of group_runs; nullptr where none
+
 bool same_contender(const Contender& a, const Contender& b);
 bool precedes(const Contender& a, const Contender& b);  // the order of group_runs within a case
-bool is_reduced(const Contender& contender);
-bool is_of_truth(const Record& record);      // says something of a truth alone: its metric is named truth-...
-bool is_mark(const Record& record);          // a contender against a truth, unlike times, load errors, truth-...
-bool is_usable(const Record& record);        // status ok and a finite value
-bool is_undefined(const Record& record);     // the metric has no meaning here: no fault of the contender
-double counted_error(const Record& record);  // |value|, or the error bar where that is larger
+bool is_reduced(const Contender& contender);       // not of full order; the identity basis "full" is of full order too
+bool takes_modes(const Contender& contender);      // whether its settings.modes means anything
+bool takes_tolerance(const Contender& contender);  // neither closed form nor fixed steps
+bool is_of_truth(const Record& record);            // says something of a truth alone: its metric is named truth-...
+bool is_mark(const Record& record);                // a contender against a truth, unlike times, load errors, truth-...
+bool is_usable(const Record& record);              // status ok and a finite value
+bool is_undefined(const Record& record);           // the metric has no meaning here: no fault of the contender
+double counted_error(const Record& record);        // |value|, or the error bar where that is larger
 
 // "too_many_steps"; of "failed: no such cell" what follows the colon; "not_finite" where an ok record has no value.
 std::string reason(const Record& record);
 
-std::string describe(const Contender& contender);          // family and setting: "Q2 1x4, newmark, step 0.00125 s"
-std::string describe_family(const Contender& contender);   // "eigenmodes", "Q2 1x4, newmark"
-std::string describe_setting(const Contender& contender);  // "r = 8", "step 0.00125 s", "rtol 1e-06"
-std::string describe_series(const Contender& contender);   // as drawn: "eigenmodes", "full order Q2, newmark"
+std::string describe(const Contender& contender);           // family and setting: "Q2 1x4, newmark, step 0.00125 s"
+std::string describe_family(const Contender& contender);    // "eigenmodes", "linear, newmark", "Q2 1x4, newmark"
+std::string describe_size(const Contender& contender);      // "r = 8", "Q2 1x4"; "" where the method has no choice
+std::string describe_accuracy(const Contender& contender);  // of its steps: "step 0.00125 s", "rtol 1e-06"; "" if exact
+std::string describe_setting(const Contender& contender);   // "r = 8, step 0.00125 s", "rtol 1e-06", ""
+std::string describe_series(const Contender& contender);    // as drawn: "eigenmodes", "full order Q2, newmark"
 
 }  // namespace mb

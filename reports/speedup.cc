@@ -2,7 +2,10 @@
 #include "reports/speedup.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
+#include <tuple>
 
 #include "reports/runs.h"
 
@@ -90,6 +93,31 @@ std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::st
   return results;
 }
 
+std::vector<SpeedUp> of_norm(const std::vector<SpeedUp>& all, const std::string& metric) {
+  std::vector<SpeedUp> results;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(results),
+               [&](const SpeedUp& one) { return one.error.metric == metric; });
+  return results;
+}
+
+std::vector<SpeedUp> on_front(const std::vector<SpeedUp>& all) {
+  const auto group = [](const SpeedUp& one) {
+    return std::tie(one.error.case_name, one.error.profile, one.error.metric, one.error.truth, one.error.subject);
+  };
+  std::vector<const SpeedUp*> order;
+  for (const SpeedUp& one : all) order.push_back(&one);
+  std::stable_sort(order.begin(), order.end(), [&](const SpeedUp* a, const SpeedUp* b) {
+    return std::tuple(group(*a), a->time.value, counted_error(a->error)) <
+           std::tuple(group(*b), b->time.value, counted_error(b->error));
+  });
+  std::vector<SpeedUp> results;
+  for (const SpeedUp* one : order) {  // by rising time: what is no more exact than the last one kept is beaten
+    const bool first = results.empty() || group(results.back()) != group(*one);
+    if (first || counted_error(one->error) < counted_error(results.back().error)) results.push_back(*one);
+  }
+  return results;
+}
+
 std::vector<SpeedUp> cheapest_within(const std::vector<SpeedUp>& all, const std::string& truth, double target) {
   std::map<std::pair<std::string, std::string>, SpeedUp> best;  // by case and profile
   for (const SpeedUp& candidate : all) {
@@ -106,6 +134,15 @@ double rival_margin(const SpeedUp& one) {
   const double own = counted_error(one.error), other = counted_error(one.rival.at(0));
   if (own == other) return 1;  // also where both are 0
   return other > 0 ? own / other : std::numeric_limits<double>::infinity();
+}
+
+double real_time_factor(const Record& time, double simulated_seconds) { return simulated_seconds / time.value; }
+
+bool is_within_noise(const SpeedUp& one) {
+  constexpr double single_run = 1.2;  // what one run may be off by: another run of it, a busy machine
+  if (one.rival.empty()) return false;
+  if (std::isnan(one.ratio_low)) return one.ratio < single_run && one.ratio > 1 / single_run;
+  return one.ratio_low <= 1 && one.ratio_high >= 1;
 }
 
 std::optional<double> median_ratio(const std::vector<SpeedUp>& all) {

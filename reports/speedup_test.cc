@@ -158,12 +158,70 @@ TEST(SpeedUps, HeadlineIsTheCheapestWithinTheTarget) {
   EXPECT_FALSE(median_ratio({}).has_value());
 }
 
+TEST(SpeedUps, TheFrontHoldsWhatNoOtherReducedRunBeats) {
+  std::vector<Record> records;
+  add(records, reduced("eigenmodes", 4), 0.05, 0, 1, 0);
+  add(records, reduced("eigenmodes", 8), 0.06, 0, 2, 0);   // dearer and less exact
+  add(records, reduced("eigenmodes", 16), 0.05, 0, 3, 0);  // dearer, no more exact
+  add(records, reduced("eigenmodes", 32), 0.01, 0, 4, 0);
+  std::vector<int> kept;
+  for (const SpeedUp& one : on_front(speed_ups(records, "displacement-error"))) {
+    kept.push_back(one.error.contender.settings.modes);
+  }
+  EXPECT_EQ(kept, (std::vector<int>{4, 32}));
+}
+
+TEST(SpeedUps, TheIdentityBasisIsARival) {
+  std::vector<Record> records = one_reduced(0.01);
+  Contender identity = synthetic::stepped("full", 0, "symplectic-euler", 1e-3);
+  add(records, identity, 0.005, 0, 6, 0);
+  const SpeedUp result = only(records);
+  ASSERT_EQ(result.rival.size(), 2u);
+  EXPECT_EQ(result.rival[0].contender.integrator, "symplectic-euler");
+}
+
+TEST(SpeedUps, DifferencesBelowTheSpreadAreNoise) {
+  std::vector<Record> records = one_reduced(0.01);  // 2 +- 0.5 s
+  add(records, full(1, {1, 2}, 0.01), 0.001, 0, 2.4, 0.1);
+  EXPECT_TRUE(is_within_noise(only(records)));
+  EXPECT_EQ(ratio_cell(only(records)).text, "1.20 (0.920 to 1.67), within noise");
+  records[3].value = 20;
+  EXPECT_FALSE(is_within_noise(only(records)));
+  records[3].error_bar.reset();
+  EXPECT_FALSE(is_within_noise(only(records)));
+  records[3].value = 2.2;
+  EXPECT_TRUE(is_within_noise(only(records)));
+  EXPECT_FALSE(is_within_noise(only(one_reduced(0.01))));  // no rival at all
+}
+
 TEST(BreakEven, IsWhereTheTwoCostsMeet) {
   const double T = break_even(10, 1, 2, 5).value();
   EXPECT_DOUBLE_EQ(10 + 1 * T, 2 + 5 * T);
   EXPECT_EQ(break_even(1, 1, 2, 5).value(), 0);  // ahead from the start
   EXPECT_FALSE(break_even(10, 5, 2, 5).has_value());
   EXPECT_FALSE(break_even(1, 6, 2, 5).has_value());
+}
+
+TEST(BreakEven, StandsInTheTableInSimulatedSeconds) {
+  const Evaluation evaluation = evaluate(synthetic::input());
+  const Sheet table = speed_up_table(evaluation, on_front(evaluation.speed_ups));
+  const auto column = [&](const std::string& name) {
+    for (std::size_t j = 0; j < table.columns.size(); ++j) {
+      if (table.columns[j].name == name) return j;
+    }
+    throw std::out_of_range(name);
+  };
+  int n_known = 0;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& row = table.rows[i];
+    if (row[column("rival")].text == "none reached") continue;
+    const double rate = 1 / *row[column("real-time factor")].value;
+    const double rival_rate = 1 / *row[column("rival real-time factor")].value;
+    const Cell& cell = row[column("break-even")];
+    EXPECT_EQ(cell.text == "never", rate >= rival_rate && !cell.value) << i;
+    if (cell.value && *cell.value > 0) ++n_known;
+  }
+  EXPECT_GT(n_known, 0);
 }
 
 }  // namespace

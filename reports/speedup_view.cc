@@ -1,4 +1,4 @@
-// The table of what was won.
+// The tables of what was won: times at equal error, and what they are made of.
 #include <cmath>
 
 #include "reports/number.h"
@@ -12,37 +12,70 @@ using Kind = Column::Kind;
 
 const Record* offline_of(const Run* run) { return run && run->offline ? &*run->offline : nullptr; }
 
-Cell break_even_cell(const Analysis& analysis, const SpeedUp& one, const Run* reduced, const Run* rival) {
-  const Record* offline = offline_of(reduced);
-  const Record* rival_offline = offline_of(rival);
-  if (!offline || !rival_offline || !is_usable(*offline) || !is_usable(*rival_offline)) return text_cell("unknown");
-  const std::optional<double> duration = simulated_seconds(analysis, *reduced);
-  if (!duration) return text_cell("unknown");
+// [s]; none where the scene is not known.
+std::optional<double> duration_of(const Evaluation& evaluation, const SpeedUp& one) {
+  const Run* run = run_of(evaluation, one.error);
+  return run ? simulated_seconds(evaluation, *run) : std::nullopt;
+}
+
+Cell break_even_cell(const Evaluation& evaluation, const SpeedUp& one) {
+  const Record* offline = offline_of(run_of(evaluation, one.error));
+  const Record* rival_offline = offline_of(run_of(evaluation, one.rival[0]));
+  const std::optional<double> duration = duration_of(evaluation, one);
+  const bool known = duration && offline && rival_offline && is_usable(*offline) && is_usable(*rival_offline);
+  if (!known) return text_cell("unknown");
   const auto seconds =
       break_even(offline->value, one.time.value / *duration, rival_offline->value, one.rival[1].value / *duration);
   return seconds ? number_cell(seconds) : text_cell("never");
 }
 
-std::vector<Cell> own_cells(const SpeedUp& one, const Run* run) {
-  const Contender& contender = one.error.contender;
-  return {text_cell(one.error.case_name), text_cell(one.error.profile), text_cell(one.error.truth),
-          text_cell(one.error.subject),   text_cell(contender.method),  count_cell(contender.settings.modes),
-          record_cell(&one.error),        record_cell(&one.time),       record_cell(offline_of(run))};
+Cell real_time_cell(const Evaluation& evaluation, const SpeedUp& one, const Record& time) {
+  const std::optional<double> duration = duration_of(evaluation, one);
+  return duration ? number_cell(real_time_factor(time, *duration)) : text_cell("unknown");
 }
 
-std::vector<Cell> rival_cells(const Analysis& analysis, const SpeedUp& one, const Run* run) {
+std::vector<Cell> key_cells(const SpeedUp& one) {
+  const Record& e = one.error;
+  return {text_cell(e.case_name),
+          text_cell(e.profile),
+          text_cell(e.truth),
+          text_cell(e.metric),
+          text_cell(e.subject),
+          text_cell(e.contender.method),
+          text_cell(e.contender.integrator),
+          takes_modes(e.contender) ? count_cell(e.contender.settings.modes) : text_cell(""),
+          text_cell(describe_accuracy(e.contender))};
+}
+
+std::vector<Column> key_columns() {
+  return {{"case", ""},   {"profile", ""},    {"truth", ""},           {"norm", ""},    {"body", ""},
+          {"method", ""}, {"integrator", ""}, {"r", "", Kind::number}, {"steps of", ""}};
+}
+
+void append(std::vector<Cell>& row, std::vector<Cell> cells) {
+  for (Cell& cell : cells) row.push_back(std::move(cell));
+}
+
+std::vector<Cell> rival_cells(const Evaluation& evaluation, const SpeedUp& one) {
   if (one.rival.empty()) {
-    return {text_cell("none reached"), text_cell(""), text_cell(""), text_cell(""), text_cell(""),
-            ratio_cell(one),           text_cell("")};
+    std::vector<Cell> cells(9, text_cell(""));
+    cells[0] = text_cell("none reached");
+    cells[6] = ratio_cell(one);
+    return cells;
   }
-  const Run* rival = run_of(analysis, one.rival[0]);
-  return {text_cell(describe(one.rival[0].contender)),
+  const Contender& rival = one.rival[0].contender;
+  const std::string steps = describe_accuracy(rival);
+  return {text_cell(describe_size(rival) + (steps.empty() ? "" : ", " + steps)),
+          text_cell(rival.integrator),
           record_cell(&one.rival[0]),
           margin_cell(one),
           record_cell(&one.rival[1]),
-          record_cell(offline_of(rival)),
+          real_time_cell(evaluation, one, one.rival[1]),
           ratio_cell(one),
-          break_even_cell(analysis, one, run, rival)};
+          text_cell(is_within_noise(one) ? "within noise"
+                    : one.ratio > 1      ? "faster"
+                                         : "slower"),
+          break_even_cell(evaluation, one)};
 }
 
 std::vector<Cell> near_miss_cells(const SpeedUp& one) {
@@ -51,36 +84,46 @@ std::vector<Cell> near_miss_cells(const SpeedUp& one) {
 }
 
 std::vector<Column> speed_up_columns() {
-  return {{"case", ""},
-          {"profile", ""},
-          {"truth", ""},
-          {"body", ""},
-          {"method", ""},
-          {"r", "", Kind::number},
-          {headline_metric, "-", Kind::error},
-          {"online time", "s", Kind::time},
-          {"offline time", "s", Kind::time},
-          {"rival", ""},
-          {"rival error", "-", Kind::error},
-          {"margin", "-", Kind::number},
-          {"rival online", "s", Kind::time},
-          {"rival offline", "s", Kind::time},
-          {"speed-up", "-", Kind::number},
-          {"break-even", "s", Kind::number},
-          {"near miss", ""},
-          {"miss error", "-", Kind::error},
-          {"miss speed-up", "-", Kind::number}};
+  std::vector<Column> columns = key_columns();
+  for (const Column& column : std::vector<Column>{{"error", "-", Kind::error},
+                                                  {"online time", "s", Kind::time},
+                                                  {"real-time factor", "-", Kind::number},
+                                                  {"rival", ""},
+                                                  {"rival integrator", ""},
+                                                  {"rival error", "-", Kind::error},
+                                                  {"margin", "-", Kind::number},
+                                                  {"rival online", "s", Kind::time},
+                                                  {"rival real-time factor", "-", Kind::number},
+                                                  {"speed-up", "-", Kind::number},
+                                                  {"reduced run is", ""},
+                                                  {"break-even", "s", Kind::number},
+                                                  {"near miss", ""},
+                                                  {"miss error", "-", Kind::error},
+                                                  {"miss speed-up", "-", Kind::number}}) {
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+// Offline and online times and the work of one side.
+std::vector<Cell> phase_cells(const Run* run, const Record& error, const Record& time) {
+  const Work& work = error.work;
+  return {record_cell(offline_of(run)), record_cell(&time), count_cell(work.steps), count_cell(work.solves),
+          count_cell(work.factorisations)};
 }
 
 }  // namespace
 
 Cell ratio_cell(const SpeedUp& one) {
   if (one.rival.empty()) return text_cell("none reached");
-  const std::string ratio = format_number(one.ratio);
-  if (std::isnan(one.ratio_low)) return {.text = ratio + " (single run)", .value = one.ratio};
-  const std::string high = std::isfinite(one.ratio_high) ? format_number(one.ratio_high) : "unbounded";
-  std::string text = ratio + " (" + format_number(one.ratio_low) + " to " + high + ")";
-  if (one.ratio_low <= 1 && one.ratio_high >= 1) text += ", within noise";
+  std::string text = format_number(one.ratio);
+  if (std::isnan(one.ratio_low)) {
+    text += " (single run)";
+  } else {
+    const std::string high = std::isfinite(one.ratio_high) ? format_number(one.ratio_high) : "unbounded";
+    text += " (" + format_number(one.ratio_low) + " to " + high + ")";
+  }
+  if (is_within_noise(one)) text += ", within noise";
   return {.text = text, .value = one.ratio};
 }
 
@@ -92,20 +135,49 @@ Cell margin_cell(const SpeedUp& one) {
 
 Cell miss_ratio_cell(const SpeedUp& one) { return one.near_miss.empty() ? text_cell("") : number_cell(one.miss_ratio); }
 
-Sheet speed_up_table(const Analysis& analysis) {
+Sheet speed_up_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown) {
   Sheet table{.name = "speed-up",
-              .title = "Speed-up at equal displacement error",
+              .title = "Speed-up at equal error",
               .note =
-                  "Ratio with the range that the spreads of both times allow, and the ratio over the near miss: "
-                  "at exactly equal error "
-                  "it lies between the two. Break-even in simulated seconds.",
+                  "Reduced runs that no other reduced run beats in both error and time. The rival is the cheapest "
+                  "full-order contender at least as exact. Ratio with the range that the spreads of both times "
+                  "allow; at exactly equal error it lies between miss speed-up and speed-up. Within noise: the "
+                  "spreads leave open which is faster. Real-time factor in simulated seconds per computing second, "
+                  "break-even in simulated seconds. data/speed-up-all.csv has every reduced run.",
               .columns = speed_up_columns(),
               .rows = {}};
-  for (const SpeedUp& one : analysis.speed_ups) {
-    const Run* run = run_of(analysis, one.error);
-    std::vector<Cell>& row = table.rows.emplace_back(own_cells(one, run));
-    for (Cell& cell : rival_cells(analysis, one, run)) row.push_back(std::move(cell));
-    for (Cell& cell : near_miss_cells(one)) row.push_back(std::move(cell));
+  for (const SpeedUp& one : shown) {
+    std::vector<Cell>& row = table.rows.emplace_back(key_cells(one));
+    append(row, {record_cell(&one.error), record_cell(&one.time), real_time_cell(evaluation, one, one.time)});
+    append(row, rival_cells(evaluation, one));
+    append(row, near_miss_cells(one));
+  }
+  return table;
+}
+
+Sheet phases_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown) {
+  Sheet table{.name = "phases",
+              .title = "What the times are made of",
+              .note =
+                  "Of every pair in the table of speed-ups. Offline: assembly, factorisation, eigensolve, "
+                  "projection of the loads; online: stepping and reconstruction at the frame times. Work is counted "
+                  "over the run that was graded, at the sample times.",
+              .columns = key_columns(),
+              .rows = {}};
+  for (const std::string side : {"", "rival "}) {
+    if (!side.empty()) table.columns.push_back({"rival", ""});
+    table.columns.push_back({side + "offline", "s", Kind::time});
+    table.columns.push_back({side + "online", "s", Kind::time});
+    for (const char* count : {"steps", "solves", "factorisations"}) {
+      table.columns.push_back({side + count, "", Kind::number});
+    }
+  }
+  for (const SpeedUp& one : shown) {
+    if (one.rival.empty()) continue;
+    std::vector<Cell>& row = table.rows.emplace_back(key_cells(one));
+    append(row, phase_cells(run_of(evaluation, one.error), one.error, one.time));
+    append(row, {text_cell(describe(one.rival[0].contender))});
+    append(row, phase_cells(run_of(evaluation, one.rival[0]), one.rival[0], one.rival[1]));
   }
   return table;
 }

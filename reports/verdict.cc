@@ -13,10 +13,10 @@ std::string counted(int n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-void count_checks(const Analysis& analysis, Verdict& verdict) {
+void count_checks(const Evaluation& evaluation, Verdict& verdict) {
   std::set<std::string> cases, outside;
-  for (const Scene& scene : analysis.input.scenes) cases.insert(scene.name);
-  for (const CheckResult& result : analysis.checks) {
+  for (const Scene& scene : evaluation.input.scenes) cases.insert(scene.name);
+  for (const CheckResult& result : evaluation.checks) {
     ++verdict.n_checks;
     verdict.n_hold += result.holds;
     verdict.n_not_measured += !result.measured;
@@ -47,6 +47,19 @@ std::string over(const SpeedUp& one) {
          ", speed-up " + miss_ratio_cell(one).text + ")";
 }
 
+// "Median in the other norms: strain-error 12.3 (2 cases), surface-deviation none."
+std::string other_norms_sentence(const Evaluation& evaluation) {
+  std::string text;
+  for (const std::string& norm : norms) {
+    if (norm == headline_metric) continue;
+    const auto pairs = at_target(evaluation, norm);
+    const auto median = median_ratio(pairs);
+    text += (text.empty() ? "" : ", ") + norm + " " + (median ? format_number(*median) : "none") + " (" +
+            counted(static_cast<int>(pairs.size()), "case", "cases") + " within the target)";
+  }
+  return "Median speed-up at the same target in the other norms: " + text + ".";
+}
+
 std::string speed_up_sentence(const Verdict& verdict) {
   const std::string at =
       "at " + format_number(100 * error_target, 1) + " % displacement error against " + headline_truth;
@@ -75,10 +88,10 @@ std::string failure_sentence(const std::vector<Failure>& failures, int n_failed_
   return text;
 }
 
-int count_failed_runs(const Analysis& analysis) {
+int count_failed_runs(const Evaluation& evaluation) {
   using Case = std::pair<std::string, std::string>;  // name, profile
   std::vector<std::pair<Case, Contender>> failed;
-  for (const Record& record : analysis.input.records) {
+  for (const Record& record : evaluation.input.records) {
     if (is_usable(record) || is_undefined(record)) continue;
     const Case of{record.case_name, record.profile};
     const bool known = std::any_of(failed.begin(), failed.end(), [&](const auto& one) {
@@ -127,42 +140,65 @@ constexpr std::pair<const char*, const char*> own_words[] = {
      "exactly equal error lies between miss speed-up and speed-up."},
     {"break-even",
      "Simulated seconds after which offline plus online time of the reduced run falls below that of "
-     "its rival; never where its online time is not the smaller one."},
+     "its rival: the difference of their offline times divided by what a simulated second gains; never where nothing "
+     "is "
+     "gained."},
+    {"real-time factor", "Simulated seconds per computing second, online: 1 keeps up with real time."},
+    {"within noise",
+     "The spreads of both times leave open which is faster; with a single run on either side, times within a factor "
+     "1.2."},
+    {"order",
+     "p of error ~ r^-p, step^p or tolerance^p, fitted over the points named in the table of orders; its standard "
+     "error "
+     "is that of the fit."},
     {"check",
      "A bound that the case file sets. It is not decidable where the bound lies below the error bar and the "
      "measured value is nearer to it than that bar."}};
 
 }  // namespace
 
-Verdict verdict_of(const Analysis& analysis) {
+std::vector<SpeedUp> at_target(const Evaluation& evaluation, const std::string& norm) {
+  return cheapest_within(of_norm(evaluation.speed_ups, norm), headline_truth, error_target);
+}
+
+std::vector<std::pair<std::string, SpeedUp>> headline_pairs(const Evaluation& evaluation) {
+  std::vector<std::pair<std::string, SpeedUp>> pairs;
+  for (const std::string& norm : norms) {
+    for (const SpeedUp& one : at_target(evaluation, norm)) pairs.emplace_back(norm, one);
+  }
+  return pairs;
+}
+
+Verdict verdict_of(const Evaluation& evaluation) {
   Verdict verdict;
-  count_checks(analysis, verdict);
-  if (analysis.input.records.empty()) {
+  count_checks(evaluation, verdict);
+  if (evaluation.input.records.empty()) {
     verdict.sentences.push_back(
         "There are no records: nothing has been run, or the store is empty. "
         "Run modalbench run first.");
   }
   verdict.sentences.push_back(checks_sentence(verdict));
-  verdict.at_target = cheapest_within(analysis.speed_ups, headline_truth, error_target);
+  verdict.at_target = at_target(evaluation, headline_metric);
   verdict.median = median_ratio(verdict.at_target);
-  if (!analysis.input.records.empty()) {
+  if (!evaluation.input.records.empty()) {
     verdict.sentences.push_back(speed_up_sentence(verdict));
-    verdict.n_failed_runs = count_failed_runs(analysis);
-    verdict.sentences.push_back(failure_sentence(failures_of(analysis), verdict.n_failed_runs));
+    verdict.sentences.push_back(other_norms_sentence(evaluation));
+    verdict.n_failed_runs = count_failed_runs(evaluation);
+    verdict.sentences.push_back(failure_sentence(failures_of(evaluation), verdict.n_failed_runs));
   }
   return verdict;
 }
 
-std::vector<Definition> definitions(const Analysis& analysis) {
-  std::vector<Definition> all;
-  for (const auto& [metric, text] : analysis.input.metric_docs) all.push_back({metric, text});
+std::vector<Explanation> definitions(const Evaluation& evaluation) {
+  std::vector<Explanation> all;
+  for (const auto& [metric, text] : evaluation.input.metric_docs) all.push_back({metric, text});
   for (const auto& [term, text] : own_words) all.push_back({term, text});
   return all;
 }
 
-std::vector<std::string> reproducing_commands(const Analysis& analysis) {
+std::vector<std::string> reproducing_commands(const Evaluation& evaluation) {
   std::vector<std::string> commands;
-  const auto& environment = analysis.input.environment;
+  const auto& environment = evaluation.input.environment;
   const auto commit = environment.find("commit");
   if (commit != environment.end() && is_plain_word(commit->second)) {
     static const std::string changed = "-dirty";
@@ -171,7 +207,7 @@ std::vector<std::string> reproducing_commands(const Analysis& analysis) {
     commands.push_back("git checkout " + name + (dirty ? "  # and changes that were not committed" : ""));
   }
   std::set<std::pair<std::string, std::string>> cases;
-  for (const Record& record : analysis.input.records) cases.insert({record.case_name, record.profile});
+  for (const Record& record : evaluation.input.records) cases.insert({record.case_name, record.profile});
   for (const auto& [name, profile] : cases) {
     if (!is_plain_word(name) || !is_plain_word(profile)) continue;
     commands.push_back("modalbench run " + name + " --profile " + profile);

@@ -17,13 +17,20 @@ struct Verdict {
   int n_failed_runs = 0;               // runs with a measure that failed; undefined ones are none
   std::vector<std::string> sentences;  // plain text, untrusted names within
 };
-Verdict verdict_of(const Analysis& analysis);
+Verdict verdict_of(const Evaluation& evaluation);
 
-struct Definition {
+// Of every case and profile the cheapest reduced run within the error target, by that norm against the headline's
+// truth.
+std::vector<SpeedUp> at_target(const Evaluation& evaluation, const std::string& norm);
+
+std::vector<std::pair<std::string, SpeedUp>> headline_pairs(const Evaluation& evaluation);  // norm, pair; all norms
+
+struct Explanation {
   std::string term, text;
 };
-std::vector<Definition> definitions(const Analysis& analysis);  // metrics that were given, then the report's own words
+std::vector<Explanation> definitions(
+    const Evaluation& evaluation);  // metrics that were given, then the report's own words
 
-std::vector<std::string> reproducing_commands(const Analysis& analysis);
+std::vector<std::string> reproducing_commands(const Evaluation& evaluation);
 
 }  // namespace mb

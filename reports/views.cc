@@ -21,11 +21,11 @@ struct MetricColumn {
 };
 
 // Metrics that were recorded, the usual ones first, in one table for bodies and one for probes.
-std::vector<MetricColumn> metric_columns(const Analysis& analysis, bool probes) {
+std::vector<MetricColumn> metric_columns(const Evaluation& evaluation, bool probes) {
   static constexpr const char* usual[] = {"displacement-error", "strain-error", "surface-deviation", "pose-translation",
                                           "pose-rotation",      "probe-error",  "probe-magnitude",   "probe-phase"};
   std::map<std::string, std::string> found;  // metric -> unit
-  for (const Record& record : analysis.input.records) {
+  for (const Record& record : evaluation.input.records) {
     if (is_mark(record) && is_probe(record.metric) == probes) found.emplace(record.metric, record.unit);
   }
   std::vector<MetricColumn> columns;
@@ -66,15 +66,15 @@ std::vector<Cell> metric_cells(const Run& run, const Answer& answer, const std::
 }
 
 template <typename Wanted>
-Sheet metric_table(const Analysis& analysis, std::string name, std::string title, bool probes, Wanted wanted) {
-  const std::vector<MetricColumn> metrics = metric_columns(analysis, probes);
+Sheet metric_table(const Evaluation& evaluation, std::string name, std::string title, bool probes, Wanted wanted) {
+  const std::vector<MetricColumn> metrics = metric_columns(evaluation, probes);
   Sheet table{.name = std::move(name), .title = std::move(title), .note = "", .columns = {}, .rows = {}};
   table.columns = {{"case", ""}, {"profile", ""}, {"truth", ""}, {probes ? "probe" : "body", ""}};
   for (Column& column : contender_columns()) table.columns.push_back(std::move(column));
   for (const MetricColumn& metric : metrics) table.columns.push_back({metric.metric, metric.unit, Kind::error});
   table.columns.push_back({"online time", "s", Kind::time});
   table.columns.push_back({"offline time", "s", Kind::time});
-  for (const Run& run : analysis.runs) {
+  for (const Run& run : evaluation.runs) {
     if (!wanted(run.contender)) continue;
     for (const Answer& answer : answers(run, metrics)) {
       std::vector<Cell> row = {text_cell(run.case_name), text_cell(run.profile), text_cell(answer.truth),
@@ -110,37 +110,37 @@ std::string verdict(const CheckResult& result) {
 
 }  // namespace
 
-Analysis analyse(const ReportInput& input) {
-  return {.input = input,
-          .runs = group_runs(input.records),
-          .checks = check_results(input.scenes, input.records),
-          .speed_ups = speed_ups(input.records, headline_metric)};
+bool is_norm(const std::string& metric) { return std::find(norms.begin(), norms.end(), metric) != norms.end(); }
+
+Evaluation evaluate(const ReportInput& input) {
+  Evaluation result{.input = input,
+                    .runs = group_runs(input.records),
+                    .checks = check_results(input.scenes, input.records, input.findings),
+                    .speed_ups = {}};
+  for (const std::string& norm : norms) {
+    const std::vector<SpeedUp> all = speed_ups(input.records, norm);
+    result.speed_ups.insert(result.speed_ups.end(), all.begin(), all.end());
+  }
+  return result;
 }
 
-const Scene* scene_of(const Analysis& analysis, const std::string& case_name, const std::string& profile) {
-  for (const Scene& scene : analysis.input.scenes) {
+const Scene* scene_of(const Evaluation& evaluation, const std::string& case_name, const std::string& profile) {
+  for (const Scene& scene : evaluation.input.scenes) {
     if (scene.name == case_name && scene.profile == profile) return &scene;
   }
   return nullptr;
 }
 
-const Run* run_of(const Analysis& analysis, const Record& record) {
-  for (const Run& run : analysis.runs) {
-    const bool same = run.case_name == record.case_name && run.profile == record.profile &&
-                      same_contender(run.contender, record.contender);
-    if (same) return &run;
-  }
-  return nullptr;
-}
+const Run* run_of(const Evaluation& evaluation, const Record& record) { return find_run(evaluation.runs, record); }
 
-std::optional<double> simulated_seconds(const Analysis& analysis, const Run& run) {
-  const Scene* scene = scene_of(analysis, run.case_name, run.profile);
+std::optional<double> simulated_seconds(const Evaluation& evaluation, const Run& run) {
+  const Scene* scene = scene_of(evaluation, run.case_name, run.profile);
   return scene && scene->duration > 0 ? std::optional(scene->duration) : std::nullopt;
 }
 
-std::vector<std::string> truth_sentences(const Analysis& analysis, const Scene& scene) {
+std::vector<std::string> truth_sentences(const Evaluation& evaluation, const Scene& scene) {
   std::map<std::tuple<std::string, std::string, std::string>, std::string> said;  // by truth, metric and subject
-  for (const Record& record : analysis.input.records) {
+  for (const Record& record : evaluation.input.records) {
     if (!is_of_truth(record) || record.case_name != scene.name || record.profile != scene.profile) continue;
     std::string text = "Of the truth " + record.truth + ": " + record.metric + " " + format_record(record);
     if (!record.unit.empty() && record.unit != "-") text += " " + record.unit;
@@ -152,52 +152,59 @@ std::vector<std::string> truth_sentences(const Analysis& analysis, const Scene& 
   return sentences;
 }
 
-Sheet checks_table(const Analysis& analysis) {
+Sheet checks_table(const Evaluation& evaluation) {
   Sheet table{.name = "checks", .title = "Checks", .note = "What the case files demand.", .columns = {}, .rows = {}};
   table.columns = {{"case", ""},
                    {"profile", ""},
                    {"truth", ""},
                    {"method", ""},
                    {"r", "", Kind::number},
-                   {"metric", ""},
+                   {"what", ""},
                    {"measured", "", Kind::error},
                    {"bound", ""},
                    {"verdict", ""},
                    {"why", ""}};
-  for (const Scene& scene : analysis.input.scenes) {  // scene by scene: a case may stand here in two profiles
-    for (const CheckResult& result : check_results({scene}, analysis.input.records)) {
-      table.rows.push_back({text_cell(scene.name), text_cell(scene.profile), text_cell(result.check.truth),
-                            text_cell(result.check.method), count_cell(result.check.modes),
-                            text_cell(result.check.metric), measured_cell(result), text_cell(bound(result.check)),
-                            text_cell(verdict(result)), text_cell(result.check.why)});
-    }
+  for (const CheckResult& result : evaluation.checks) {
+    table.rows.push_back({text_cell(result.case_name), text_cell(result.profile), text_cell(result.check.truth),
+                          text_cell(result.check.method),
+                          result.check.method.empty() ? text_cell("") : count_cell(result.check.modes),
+                          text_cell(subject_of(result.check)), measured_cell(result), text_cell(bound(result.check)),
+                          text_cell(verdict(result)), text_cell(result.check.why)});
   }
   return table;
 }
 
-Sheet reduced_table(const Analysis& analysis) {
-  return metric_table(analysis, "error-against-modes", "Error against r", false,
+Sheet reduced_table(const Evaluation& evaluation) {
+  return metric_table(evaluation, "error-against-modes", "Error against r", false,
                       [](const Contender& contender) { return is_reduced(contender); });
 }
 
-Sheet rivals_table(const Analysis& analysis) {
-  return metric_table(analysis, "full-order", "Full-order contenders", false,
+Sheet rivals_table(const Evaluation& evaluation) {
+  return metric_table(evaluation, "full-order", "Full-order contenders", false,
                       [](const Contender& contender) { return !is_reduced(contender); });
 }
 
-Sheet probes_table(const Analysis& analysis) {
-  return metric_table(analysis, "probes", "Probe signals", true, [](const Contender&) { return true; });
+Sheet probes_table(const Evaluation& evaluation) {
+  return metric_table(evaluation, "probes", "Probe signals", true, [](const Contender&) { return true; });
 }
 
+// Cells that name an answer: case, profile, truth, body, then the contender up to its settings (not its unknowns).
+constexpr std::size_t n_naming = 4 + 7;
+
 // What the page shows: every contender with its speed-up and whether it meets the target.
-Sheet contenders_table(const Analysis& analysis) {
-  Sheet table = metric_table(analysis, "contenders", "Contenders", false, [](const Contender&) { return true; });
+Sheet contenders_table(const Evaluation& evaluation) {
+  Sheet table = metric_table(evaluation, "contenders", "Contenders", false, [](const Contender&) { return true; });
   std::map<std::vector<std::string>, std::vector<Cell>> ratios;  // by the cells that name a reduced run
-  for (const SpeedUp& one : analysis.speed_ups) {
+  const auto key_of = [](const std::vector<Cell>& cells) {
+    std::vector<std::string> key;
+    for (std::size_t j = 0; j < n_naming; ++j) key.push_back(cells[j].text);
+    return key;
+  };
+  for (const SpeedUp& one : of_norm(evaluation.speed_ups, headline_metric)) {
     const Record& e = one.error;
-    const Contender& c = e.contender;
-    ratios[{e.case_name, e.profile, e.truth, e.subject, c.method, c.integrator, to_string(c.resolution),
-            std::to_string(c.settings.modes)}] = {
+    std::vector<Cell> cells = {text_cell(e.case_name), text_cell(e.profile), text_cell(e.truth), text_cell(e.subject)};
+    for (Cell& cell : contender_cells(e.contender, e.modes_used, e.n_unknowns)) cells.push_back(std::move(cell));
+    ratios[key_of(cells)] = {
         one.rival.empty() ? ratio_cell(one) : number_cell(one.ratio),  // its range stands in the table of speed-ups
         margin_cell(one), miss_ratio_cell(one)};
   }
@@ -207,11 +214,9 @@ Sheet contenders_table(const Analysis& analysis) {
   for (const char* name : {"speed-up", "margin", "miss speed-up"}) table.columns.push_back({name, "-", Kind::number});
   table.columns.push_back({"<= 1 %", ""});
   for (std::vector<Cell>& row : table.rows) {
-    std::vector<std::string> key;
-    for (std::size_t j = 0; j < 8; ++j) key.push_back(row[j].text);
     const bool graded = j_error < row.size() && row[j_error].value.has_value();
     const bool within = graded && std::max(std::abs(*row[j_error].value), row[j_error].bar.value_or(0)) <= error_target;
-    const auto ratio = ratios.find(key);
+    const auto ratio = ratios.find(key_of(row));
     for (std::size_t j = 0; j < 3; ++j) row.push_back(ratio == ratios.end() ? text_cell("") : ratio->second[j]);
     row.push_back(text_cell(!graded ? "" : within ? "yes" : "no"));
   }

@@ -1,6 +1,8 @@
 // The tables of the report. Every one names case, profile and, where errors stand in it, the truth.
 #pragma once
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "reports/content.h"
@@ -12,22 +14,24 @@ namespace mb {
 inline constexpr double error_target = 0.01;                          // [-] of the headline, tables and figures
 inline constexpr const char* headline_metric = "displacement-error";  // M norm
 inline constexpr const char* headline_truth = "finer";
+inline const std::array<std::string, 3> norms = {"displacement-error", "strain-error", "surface-deviation"};
+bool is_norm(const std::string& metric);  // one of these
 
 // Everything that tables, figures and the page are made of; computed once.
-struct Analysis {
+struct Evaluation {
   ReportInput input;
   std::vector<Run> runs;
   std::vector<CheckResult> checks;
-  std::vector<SpeedUp> speed_ups;  // by the headline metric, every truth
+  std::vector<SpeedUp> speed_ups;  // by each of the norms, every truth
 };
-Analysis analyse(const ReportInput& input);
+Evaluation evaluate(const ReportInput& input);
 
-const Scene* scene_of(const Analysis& analysis, const std::string& case_name, const std::string& profile);
-const Run* run_of(const Analysis& analysis, const Record& record);
-std::optional<double> simulated_seconds(const Analysis& analysis,
+const Scene* scene_of(const Evaluation& evaluation, const std::string& case_name, const std::string& profile);
+const Run* run_of(const Evaluation& evaluation, const Record& record);
+std::optional<double> simulated_seconds(const Evaluation& evaluation,
                                         const Run& run);  // [s]; none where the scene is unknown
 
-Cell ratio_cell(const SpeedUp& speed_up);       // "354 (340 to 370)", "354 (single run)", "none reached"
+Cell ratio_cell(const SpeedUp& speed_up);       // "354 (340 to 370)", "0.9 (0.7 to 1.2), within noise", "none reached"
 Cell margin_cell(const SpeedUp& speed_up);      // how much more exact the rival is: "2.9"; "" where none
 Cell miss_ratio_cell(const SpeedUp& speed_up);  // speed-up over the near miss; "" where none
 
@@ -39,18 +43,19 @@ struct Failure {
   long n_measures = 0;
   bool undefined = false;  // the metric has no meaning there: the runs did not fail
 };
-std::vector<Failure> failures_of(const Analysis& analysis);
+std::vector<Failure> failures_of(const Evaluation& evaluation);
 
 // What the records say of the truths of a case themselves: "Of the truth finer: truth-above-band 7.5e-6 (cylinder)."
-std::vector<std::string> truth_sentences(const Analysis& analysis, const Scene& scene);
+std::vector<std::string> truth_sentences(const Evaluation& evaluation, const Scene& scene);
 
-Sheet checks_table(const Analysis& analysis);
-Sheet reduced_table(const Analysis& analysis);     // error against r
-Sheet rivals_table(const Analysis& analysis);      // full-order contenders
-Sheet contenders_table(const Analysis& analysis);  // both, with speed-up: the page's table
-Sheet speed_up_table(const Analysis& analysis);
-Sheet probes_table(const Analysis& analysis);
-Sheet failures_table(const Analysis& analysis);  // one row a reason
-Sheet records_table(const Analysis& analysis);   // one row a record
+Sheet checks_table(const Evaluation& evaluation);
+Sheet reduced_table(const Evaluation& evaluation);     // error against r
+Sheet rivals_table(const Evaluation& evaluation);      // full-order contenders
+Sheet contenders_table(const Evaluation& evaluation);  // both, with speed-up: the page's table
+Sheet speed_up_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown);
+Sheet phases_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown);  // offline, online, work counts
+Sheet probes_table(const Evaluation& evaluation);
+Sheet failures_table(const Evaluation& evaluation);  // one row a reason
+Sheet records_table(const Evaluation& evaluation);   // one row a record
 
 }  // namespace mb

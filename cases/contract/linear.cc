@@ -1,6 +1,9 @@
 #include "cases/contract/linear.h"
 
 #include <algorithm>
+#include <stdexcept>
+
+#include "mechanics/history/mean.h"
 
 namespace mb {
 
@@ -12,11 +15,22 @@ MatrixXd observe(const Observation& observation, const MatrixXd& q, const Matrix
 
 namespace {
 
-// Factors of the loads at the times t, loads x n_t.
-MatrixXd load_factors(const std::vector<History>& histories, const VectorXd& t) {
+// Factors of the loads at the times t, or their means over the shutter around them; loads x n_t. Chirps and expressions
+// are resampled for means as they are for the closed form that moves the modes.
+MatrixXd load_factors(const std::vector<History>& histories, const Sampling& sampling, double tolerance) {
+  const VectorXd& t = sampling.t;
+  const double half = sampling.shutter / 2;
   MatrixXd s(static_cast<Index>(histories.size()), t.size());
-  for (Index l = 0; l < s.rows(); ++l)
-    for (Index k = 0; k < t.size(); ++k) s(l, k) = value(histories[static_cast<size_t>(l)], t[k]);
+  for (Index l = 0; l < s.rows() && t.size() > 0; ++l) {
+    const History& history = histories[static_cast<size_t>(l)];
+    if (half > 0) {
+      const Segments chain = segments(history, t[t.size() - 1] + half, tolerance);
+      for (Index k = 0; k < t.size(); ++k) s(l, k) = mean(chain, t[k] - half, t[k] + half);
+    } else {
+      const auto value_at = evaluator(history);
+      for (Index k = 0; k < t.size(); ++k) s(l, k) = value_at(t[k]);
+    }
+  }
   return s;
 }
 
@@ -27,30 +41,31 @@ Work operator+(const Work& a, const Work& b) {
 
 class PreparedLinear final : public Prepared {
  public:
-  PreparedLinear(std::vector<LinearBody> bodies, const Integrator& integrator, const Settings& settings,
-                 double duration, int modes_used)
-      : bodies_(std::move(bodies)), modes_used_(modes_used) {
-    for (const LinearBody& body : bodies_) steppers_.push_back(integrator.prepare(body.system, settings, duration));
+  PreparedLinear(std::shared_ptr<const Reduction> reduction, const Integrator& integrator, const Settings& settings,
+                 double duration)
+      : reduction_(std::move(reduction)), load_tolerance_(settings.load_tolerance) {
+    for (const LinearBody& body : reduction_->bodies)
+      steppers_.push_back(integrator.prepare(body.system, settings, duration));
   }
 
   Trajectory simulate(const Sampling& sampling) const override {
+    if (!(sampling.shutter >= 0)) throw std::invalid_argument("the shutter must not be negative");
     Trajectory answer{sampling.t, {}, {}, Status::ok};
-    for (size_t i = 0; i < bodies_.size(); ++i) {
-      const LinearBody& body = bodies_[i];
-      const States states = steppers_[i]->run(sampling.t);
-      const MatrixXd s = load_factors(body.system.s, sampling.t);
-      answer.bodies.push_back(
-          {observe(body.displacement, states.u, s), sampling.strain ? observe(body.strain, states.u, s) : MatrixXd()});
+    for (size_t i = 0; i < steppers_.size(); ++i) {
+      const Stepper& stepper = *steppers_[i];
+      const States states =
+          sampling.shutter > 0 ? stepper.averages(sampling.t, sampling.shutter) : stepper.run(sampling.t);
       answer.work = answer.work + states.work;
       if (answer.status == Status::ok) answer.status = states.status;
+      if (sampling.reconstruct) answer.bodies.push_back(reconstruct(reduction_->bodies[i], states.u, sampling));
     }
     return answer;
   }
 
-  int modes_used() const override { return modes_used_; }
+  int modes_used() const override { return reduction_->modes_used; }
   Index n_unknowns() const override {
     Index n = 0;
-    for (const auto& body : bodies_) n += body.system.u0.size();
+    for (const auto& body : reduction_->bodies) n += body.system.u0.size();
     return n;
   }
   double load_error() const override {
@@ -60,16 +75,34 @@ class PreparedLinear final : public Prepared {
   }
 
  private:
-  std::vector<LinearBody> bodies_;  // before the steppers, which refer to its systems
+  BodyTrajectory reconstruct(const LinearBody& body, const MatrixXd& q, const Sampling& sampling) const {
+    const bool corrected = body.displacement.of_load.cols() > 0 || body.strain.of_load.cols() > 0;
+    const MatrixXd s = corrected ? load_factors(body.system.s, sampling, load_tolerance_) : MatrixXd();
+    return {observe(body.displacement, q, s), sampling.strain ? observe(body.strain, q, s) : MatrixXd()};
+  }
+
+  std::shared_ptr<const Reduction> reduction_;  // steppers refer to its systems
   std::vector<std::unique_ptr<Stepper>> steppers_;
-  int modes_used_;
+  double load_tolerance_;  // [-]
 };
 
 }  // namespace
 
+std::unique_ptr<Prepared> prepare_linear(std::shared_ptr<const Reduction> reduction, const Integrator& integrator,
+                                         const Settings& settings, double duration) {
+  return std::make_unique<PreparedLinear>(std::move(reduction), integrator, settings, duration);
+}
+
 std::unique_ptr<Prepared> prepare_linear(std::vector<LinearBody> bodies, const Integrator& integrator,
                                          const Settings& settings, double duration, int modes_used) {
-  return std::make_unique<PreparedLinear>(std::move(bodies), integrator, settings, duration, modes_used);
+  return prepare_linear(std::make_shared<const Reduction>(std::move(bodies), modes_used), integrator, settings,
+                        duration);
+}
+
+std::unique_ptr<Prepared> LinearMethod::prepare(const Model& model, const Settings& settings,
+                                                const Integrator& integrator) const {
+  return prepare_linear(std::make_shared<const Reduction>(reduce(model, settings)), integrator, settings,
+                        model.scene->duration);
 }
 
 }  // namespace mb

@@ -23,8 +23,26 @@ struct LinearBody {
   Observation displacement, strain;
 };
 
-// modes_used: elastic modes of the basis, -1 for full order. A failed stepper's status is the trajectory's.
+// A model reduced to what steppers act on, by whatever basis; independent of the integrator.
+struct Reduction {
+  std::vector<LinearBody> bodies;
+  int modes_used;  // elastic modes of the basis, of the body that uses most; -1 for full order
+};
+
+// A failed stepper's status is the trajectory's. Sampling::shutter > 0 needs an integrator with exact averages.
+std::unique_ptr<Prepared> prepare_linear(std::shared_ptr<const Reduction> reduction, const Integrator& integrator,
+                                         const Settings& settings, double duration);
 std::unique_ptr<Prepared> prepare_linear(std::vector<LinearBody> bodies, const Integrator& integrator,
                                          const Settings& settings, double duration, int modes_used);
+
+// A method whose offline part comes in two: the basis, and what an integrator prepares on it. Who tries several
+// integrators or steps on one basis reduces once and charges the time of that to each.
+class LinearMethod : public Method {
+ public:
+  // Reads settings.modes alone, and that only where the method takes modes.
+  virtual Reduction reduce(const Model& model, const Settings& settings) const = 0;
+  std::unique_ptr<Prepared> prepare(const Model& model, const Settings& settings,
+                                    const Integrator& integrator) const final;
+};
 
 }  // namespace mb

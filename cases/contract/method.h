@@ -22,6 +22,8 @@ struct Settings {
 struct Sampling {
   VectorXd t;          // [s] ascending
   bool strain = true;  // whether strains are wanted at the volume points
+  bool reconstruct = true;  // whether anything is wanted at the points: false steps only, for timing
+  double shutter = 0;  // [s] >= 0: answers are exact means over this interval around each time; 0: at the time itself
 };
 
 // An effect that was simulated or left out, and why.
@@ -57,6 +59,8 @@ class Prepared {
 struct Integrator {
   std::string name, doc;
   std::unique_ptr<Stepper> (*prepare)(const System& system, const Settings& settings, double duration);
+  enum class Knob { none, time_step, tolerance } knob = Knob::time_step;  // what its accuracy is set by
+  bool conditionally_stable = false;  // blows up beyond a largest step
 };
 
 class Method {
@@ -64,6 +68,7 @@ class Method {
   virtual ~Method() = default;
   virtual std::string name() const = 0;
   virtual std::string doc() const = 0;
+  virtual bool takes_modes() const { return true; }  // whether settings.modes means anything to it
   // The model must outlive what is prepared.
   virtual std::unique_ptr<Prepared> prepare(const Model& model, const Settings& settings,
                                             const Integrator& integrator) const = 0;

@@ -26,6 +26,9 @@ class FullModel {
   virtual const System& system() const = 0;
   virtual SparseMatrix displacement_at(const Matrix3Xd& points) const = 0;  // 3 p x n: xyz of point 0, of point 1, ...
   virtual SparseMatrix strain_at(const Matrix3Xd& points) const = 0;  // 6 p x n: Voigt xx yy zz yz xz xy, engineering
+  // n x k: polynomials in x, y, z of at most that degree (>= 0) for each component which every support admits, at the
+  // degrees of freedom; of full rank, columns of comparable size. A free body: 3, 12, 30 columns for degree 0, 1, 2.
+  virtual MatrixXd polynomials(int degree) const = 0;
   virtual Index n_cells() const = 0;
   virtual double mesh_volume() const = 0;  // [m^3]
 };

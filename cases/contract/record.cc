@@ -2,6 +2,16 @@
 
 namespace mb {
 
-const char* to_string(TruthKind kind) { return kind == TruthKind::finer ? "finer" : "same_mesh"; }
+const char* to_string(TruthKind kind) {
+  switch (kind) {
+    case TruthKind::same_mesh:
+      return "same_mesh";
+    case TruthKind::finer:
+      return "finer";
+    case TruthKind::exact:
+      return "exact";
+  }
+  return "";
+}
 
 }  // namespace mb

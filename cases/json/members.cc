@@ -64,6 +64,31 @@ double Members::number(const std::string& key) {
   return json.get<double>();
 }
 
+std::string Members::hash(const std::string& key) {
+  std::string value = text(key);
+  const bool is_hash = value.size() == 32 && value.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!is_hash) refuse(key, "is not a content hash of 32 hex digits");
+  return value;
+}
+
+std::string Members::one_of(const std::string& key, const std::vector<std::string>& choices) {
+  std::string value = text(key);
+  if (std::ranges::find(choices, value) == choices.end()) refuse(key, "is none of its possible values");
+  return value;
+}
+
+std::map<std::string, std::string> Members::texts(const std::string& key) {
+  const Json& json = get(key);
+  if (!json.is_object()) refuse(key, "is not an object");
+  if (json.size() > 64) refuse(key, "has more than 64 entries");
+  std::map<std::string, std::string> values;
+  for (const auto& [name, value] : json.items()) {
+    if (name.size() > 64) refuse(key, "has a key longer than 64 bytes");
+    values[name] = mb::text(value, key);
+  }
+  return values;
+}
+
 void Members::expect_no_more() const {
   for (const auto& item : object_.items()) {
     // The key itself is not echoed: it is text from outside.

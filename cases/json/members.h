@@ -1,8 +1,10 @@
 // Reading a JSON object from outside, member by member: types, ranges and lengths checked, unknown keys refused.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "cases/json/json.h"
 
@@ -18,8 +20,11 @@ class Members {
   std::string text(const std::string& key);  // at most 4096 bytes
   std::string name(const std::string& key);  // [a-z0-9-]{0,64}
   long integer(const std::string& key, long lowest, long highest);
-  double number(const std::string& key);  // finite
-  void expect_no_more() const;            // refuses keys that were not asked for
+  double number(const std::string& key);     // finite
+  std::string hash(const std::string& key);  // content hash of 32 hex digits
+  std::string one_of(const std::string& key, const std::vector<std::string>& choices);
+  std::map<std::string, std::string> texts(const std::string& key);  // at most 64, keys of at most 64 bytes
+  void expect_no_more() const;                                       // refuses keys that were not asked for
 
  private:
   const Json& object_;

@@ -11,8 +11,7 @@ namespace mb {
 namespace {
 
 constexpr long max_count = std::numeric_limits<long>::max();
-constexpr std::size_t max_provenance = 64;  // entries
-constexpr std::size_t max_status = 1000;    // [bytes] kept of a message: readers refuse texts beyond 4096
+constexpr std::size_t max_status = 1000;  // [bytes] kept of a message: readers refuse texts beyond 4096
 
 // The tolerance of an integrator that has one is part of the answer even at its default.
 Json settings_json(const Record& record) {
@@ -68,36 +67,12 @@ Work work_from(const Json& json) {
   return work;
 }
 
-std::map<std::string, std::string> provenance_from(const Json& json) {
-  if (!json.is_object()) refuse("provenance", "is not an object");
-  if (json.size() > max_provenance) refuse("provenance", "has more than 64 entries");
-  std::map<std::string, std::string> provenance;
-  for (const auto& [key, value] : json.items()) {
-    if (key.size() > 64) refuse("provenance", "has a key longer than 64 bytes");
-    provenance[key] = text(value, "provenance");
-  }
-  return provenance;
-}
-
 Resolution resolution_from(Members& members) {
   Resolution resolution{.degree = static_cast<int>(members.integer("degree", 0, 99)), .cells = {}};
   const Json& cells = members.get("cells");
   if (!cells.is_array() || cells.size() > 3) refuse("cells", "is not a list of at most 3 counts");
-  for (const Json& n : cells) resolution.cells.push_back(static_cast<int>(integer(n, "cells", 1, 1 << 20)));
+  for (const Json& n : cells) resolution.cells.push_back(static_cast<int>(integer(n, "cells", 0, 1 << 20)));
   return resolution;
-}
-
-std::string run_from(Members& members) {
-  const std::string run = members.text("run");
-  const bool is_hash = run.size() == 32 && run.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (!is_hash) refuse("run", "is not a content hash of 32 hex digits");
-  return run;
-}
-
-std::string one_of(Members& members, const char* key, const std::vector<std::string>& choices) {
-  std::string value = members.text(key);
-  if (std::ranges::find(choices, value) == choices.end()) refuse(key, "is none of its possible values");
-  return value;
 }
 
 double value_from(Members& members, const std::string& status) {
@@ -146,9 +121,9 @@ Record record_from_json(const Json& json) {
   Members members(json, "record");
   if (integer(members.get("schema"), "schema", 0, max_count) != record_schema) refuse("schema", "is not 1");
   Record record;
-  record.run = run_from(members);
+  record.run = members.hash("run");
   record.case_name = members.name("case");
-  record.profile = one_of(members, "profile", {"quick", "standard", "full"});
+  record.profile = members.one_of("profile", {"quick", "standard", "full"});
   record.contender = {.method = members.name("method"),
                       .integrator = members.name("integrator"),
                       .resolution = resolution_from(members),
@@ -157,13 +132,13 @@ Record record_from_json(const Json& json) {
   record.n_unknowns = members.integer("n_unknowns", 0, max_count);
   record.metric = members.name("metric");
   record.subject = members.name("subject");
-  record.truth = one_of(members, "truth", {"finer", "same_mesh", ""});
+  record.truth = members.one_of("truth", {"finer", "same_mesh", "exact", ""});
   record.status = members.text("status");
   record.value = value_from(members, record.status);
   record.unit = members.text("unit");
   record.error_bar = error_bar_from(members);
   record.work = work_from(members.get("work"));
-  record.provenance = provenance_from(members.get("provenance"));
+  record.provenance = members.texts("provenance");
   members.expect_no_more();
   return record;
 }

@@ -208,6 +208,10 @@ TEST(RecordLines, WhatIsNoFileIsRefusedAsAWhole) {
 TEST(TruthKind, NamesAreThoseOfTheStore) {
   EXPECT_STREQ(to_string(TruthKind::finer), "finer");
   EXPECT_STREQ(to_string(TruthKind::same_mesh), "same_mesh");
+  EXPECT_STREQ(to_string(TruthKind::exact), "exact");
+  for (const TruthKind kind : {TruthKind::finer, TruthKind::same_mesh, TruthKind::exact}) {
+    EXPECT_EQ(record_from_json(altered("truth", to_string(kind))).truth, to_string(kind));
+  }
 }
 
 }  // namespace

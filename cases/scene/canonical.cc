@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cases/scene/read_support.h"
 #include "cases/scene/read_toml.h"
 #include "cases/scene/resolution.h"
 #include "mechanics/geometry/overloaded.h"
@@ -58,15 +59,26 @@ std::string canonical(const History& history) {
       history);
 }
 
+std::string canonical(const Material& material) {
+  std::string out = fmt::format("material {} {} {}\n", number(material.youngs_modulus), number(material.poissons_ratio),
+                                number(material.density));
+  if (material.orthotropy) {
+    out += fmt::format("orthotropy {} {} {}\n", vector(material.orthotropy->youngs_moduli),
+                       vector(material.orthotropy->poissons_ratios), vector(material.orthotropy->shear_moduli));
+  }
+  return out;
+}
+
 std::string canonical(const Body& body) {
-  static constexpr const char* kinds[] = {"fixed", "sliding", "mean"};
   std::string out = fmt::format("body {}\n{}", body.name, canonical(body.shape));
-  out += fmt::format("material {} {} {}\n", number(body.material.youngs_modulus), number(body.material.poissons_ratio),
-                     number(body.material.density));
+  out += canonical(body.material);
   out += fmt::format("damping {} {}\n", number(body.damping.alpha), number(body.damping.beta));
+  if (!body.damping_ratios.empty()) out += fmt::format("ratios {}\n", list(body.damping_ratios));
   out += fmt::format("resolution {}\n", to_string(body.resolution));
   for (const Support& support : body.supports) {
-    out += fmt::format("support {} {}\n", kinds[static_cast<int>(support.kind)], canonical(support.patch));
+    out += fmt::format("support {} {}\n", to_string(support.kind), canonical(support.patch));
+    if (!support.drive) continue;
+    out += fmt::format("drive {} {}\n", vector(support.drive->direction), canonical(support.drive->acceleration));
   }
   return out;
 }
@@ -74,7 +86,8 @@ std::string canonical(const Body& body) {
 std::string canonical(const Load& load) {
   std::string out = fmt::format("load {}\nhistory {}\n", load.name, canonical(load.history));
   for (const Traction& traction : load.tractions) {
-    out += fmt::format("traction {} {} {}\n", traction.body, canonical(traction.patch), vector(traction.traction));
+    out += fmt::format("traction {} {} {} {}\n", traction.body, canonical(traction.patch), vector(traction.traction),
+                       number(traction.pressure));
   }
   return out;
 }
@@ -92,6 +105,11 @@ std::string canonical(const Scene& scene) {
                      number(scene.frame_rate), number(scene.samples_per_second));
   out += fmt::format("truth {} finer {} coarser {}\n", number(scene.truth.relative_tolerance),
                      to_string(scene.truth.finer), to_string(scene.truth.coarser));
+  if (!scene.truth.exact.empty()) out += fmt::format("exact {}\n", scene.truth.exact);
+  if (!scene.reference_frequencies.hertz.empty()) {
+    out += fmt::format("reference_frequencies {} {}\n", list(scene.reference_frequencies.hertz),
+                       number(scene.reference_frequencies.uncertainty));
+  }
   return out;
 }
 

@@ -13,9 +13,13 @@ namespace mb::test {
 
 inline Vocabulary vocabulary() {
   return {
-      {"eigenmodes", "static-correction", "full-order"},
-      {"exact", "newmark", "sundials"},
-      {"displacement-error", "strain-error", "surface-deviation", "pose-translation", "pose-rotation", "probe-error"}};
+      {"eigenmodes", "static-correction", "linear", "quadratic", "full", "full-order"},
+      {"exact", "newmark", "central-difference", "explicit-euler", "symplectic-euler", "sundials"},
+      {"displacement-error", "strain-error", "surface-deviation", "pose-translation", "pose-rotation", "probe-error"},
+      {"linear", "quadratic", "full"},
+      {"sundials"},
+      {"budget", "step-limits", "aliasing", "frequency-response", "mode-amplitudes", "damping", "frequencies",
+       "probe-extremes"}};
 }
 
 inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }

@@ -75,6 +75,10 @@ std::string Findings::excerpt(int line) const {
 
 void Findings::error(const Position& where, std::string message, std::string help) {
   if (found_.size() > most_findings) return;
+  const auto same = [&](const Diagnostic& other) {
+    return other.line == where.line && other.column == where.column && other.message == message;
+  };
+  if (std::any_of(found_.begin(), found_.end(), same)) return;
   if (found_.size() == most_findings) {
     found_.push_back(
         {file_, 0, 0, 1, fmt::format("more than {} problems: the rest is not shown", most_findings), "", ""});

@@ -1,8 +1,9 @@
 // [[body]]: shape, material, damping, resolution and supports.
 #pragma once
 
+#include "cases/scene/read_material.h"
+#include "cases/scene/read_support.h"
 #include "cases/scene/scene.h"
-#include "cases/scene/section.h"
 
 namespace mb {
 
@@ -12,10 +13,13 @@ struct BodyDraft {
   std::optional<Shape> shape;
   std::optional<Material> material;
   std::optional<Resolution> resolution;
-  Rayleigh damping;
-  std::vector<Support> supports;
+  DampingDraft damping;
+  SupportDrafts supports;
 };
 
-BodyDraft read_body(Section section);
+BodyDraft read_body(Section section, const HistoryContext& context);
+
+// The body, of which nothing may be missing.
+Body completed(const BodyDraft& draft);
 
 }  // namespace mb

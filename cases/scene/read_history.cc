@@ -11,7 +11,6 @@ namespace mb {
 
 namespace {
 
-const Range amplitude_range{-1e6, 1e6};
 const Range time_range{0, 1e5, "s"};
 const Range length_range{0, 1e5, "s", true};
 const Range phase_range{-1e3, 1e3, "rad"};
@@ -19,12 +18,14 @@ const Range omega_range{0, 1e9, "rad/s", true};
 const Range sweep_range{0, 1e9, "rad/s"};
 constexpr std::size_t most_entries = 10000;
 
+Range amplitude_range(const HistoryContext& context) { return {-1e6, 1e6, context.amplitude_unit}; }
+
 struct Common {
   double amplitude, start;
 };
 
 Common read_common(Section& section, const HistoryContext& context) {
-  const Common common{section.number("amplitude", amplitude_range, 1), section.number("start", time_range, 0)};
+  const Common common{section.number("amplitude", amplitude_range(context), 1), section.number("start", time_range, 0)};
   if (common.start >= context.longest_duration) {
     section.error("start", fmt::format("the load starts at {} s, but the case ends at {} s", common.start,
                                        context.longest_duration));
@@ -54,9 +55,9 @@ std::optional<History> read_shaped(Section& section, const Common& common) {
   return Shaped{*duration, common.amplitude, common.start};
 }
 
-std::optional<Table> inline_table(Section& section) {
+std::optional<Table> inline_table(Section& section, const HistoryContext& context) {
   const auto t = section.numbers("t", time_range, {2, most_entries});
-  const auto s = section.numbers("s", amplitude_range, {2, most_entries});
+  const auto s = section.numbers("s", amplitude_range(context), {2, most_entries});
   if (!t || !s) return std::nullopt;
   if (t->size() == s->size()) return Table{*t, *s};
   section.error("s", fmt::format("'s' has {} entries where 't' has {}", s->size(), t->size()));
@@ -78,7 +79,7 @@ std::optional<Table> table_of_file(Section& section, const HistoryContext& conte
 
 std::optional<History> read_table(Section& section, const HistoryContext& context) {
   const bool from_file = section.has("file");
-  const auto table = from_file ? table_of_file(section, context) : inline_table(section);
+  const auto table = from_file ? table_of_file(section, context) : inline_table(section, context);
   if (!table) return std::nullopt;
   const std::string key = from_file ? "file" : "t";
   for (std::size_t i = 1; i < table->t.size(); ++i) {
@@ -89,9 +90,9 @@ std::optional<History> read_table(Section& section, const HistoryContext& contex
   }
   const auto outside = [](double x, const Range& range) { return !range.contains(x); };
   if (std::any_of(table->t.begin(), table->t.end(), [&](double t) { return outside(t, time_range); }) ||
-      std::any_of(table->s.begin(), table->s.end(), [&](double s) { return outside(s, amplitude_range); })) {
-    section.error(key,
-                  fmt::format("the table leaves t in {}, s in {}", to_string(time_range), to_string(amplitude_range)));
+      std::any_of(table->s.begin(), table->s.end(), [&](double s) { return outside(s, amplitude_range(context)); })) {
+    section.error(key, fmt::format("the table leaves t in {}, s in {}", to_string(time_range),
+                                   to_string(amplitude_range(context))));
     return std::nullopt;
   }
   if (table->t.front() < context.longest_duration) return *table;
@@ -104,8 +105,16 @@ std::optional<History> read_expression(Section& section, const HistoryContext& c
   const auto formula = section.text("formula", 256);
   if (!formula) return std::nullopt;
   const std::string problem = expression_problem(*formula, context.longest_duration);
-  if (problem.empty()) return Expression{*formula};
-  section.error("formula", printable(problem, 200));
+  if (!problem.empty()) {
+    section.error("formula", printable(problem, 200));
+    return std::nullopt;
+  }
+  const Expression expression{*formula};
+  const Range range = amplitude_range(context);
+  const double largest = peak(expression, context.longest_duration);
+  if (range.contains(largest)) return expression;
+  section.error("formula",
+                fmt::format("the formula reaches {:.3g} in absolute value, outside {}", largest, to_string(range)));
   return std::nullopt;
 }
 

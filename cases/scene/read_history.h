@@ -10,8 +10,9 @@ namespace mb {
 
 // What the files that a case refers to, and the times at which it ends, depend on.
 struct HistoryContext {
-  std::filesystem::path folder;  // of the case file: a table's file must lie below it
-  double longest_duration;       // [s] of all profiles
+  std::filesystem::path folder;     // of the case file: a table's file must lie below it
+  double longest_duration;          // [s] of all profiles
+  std::string amplitude_unit = "";  // of s(t): "" for factors on tractions
 };
 
 std::optional<History> read_history(Section section, const HistoryContext& context);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/scene/read_direction.h"
 #include "cases/scene/read_patch.h"
 
 namespace mb {
@@ -28,18 +29,12 @@ const BodyDraft* read_body_reference(Section& section, const std::vector<BodyDra
   return nullptr;
 }
 
-std::optional<Vector3d> pressure_on(Section& section, const std::optional<Patch>& patch,
-                                    const std::optional<Shape>& shape) {
-  const auto pressure = section.number("pressure", traction_range);
-  if (!pressure || !patch || !shape) return std::nullopt;
-  if (is_plane(*shape, patch->face)) return Vector3d(-*pressure * plane_normal(*shape, patch->face));
-  section.error("pressure", "pressure on a curved face is understood, but cannot be simulated yet",
-                "give 'traction', the same vector everywhere on the face");
-  return std::nullopt;
-}
+struct Force {
+  Vector3d traction;
+  double pressure;
+};
 
-std::optional<Vector3d> read_force(Section& section, const std::optional<Patch>& patch,
-                                   const std::optional<Shape>& shape) {
+std::optional<Force> read_force(Section& section) {
   const bool has_traction = section.has("traction");
   const bool has_pressure = section.has("pressure");
   if (has_traction && has_pressure) {
@@ -47,24 +42,32 @@ std::optional<Vector3d> read_force(Section& section, const std::optional<Patch>&
                   fmt::format("{} has both 'traction' and 'pressure': exactly one of them", section.title()));
     return std::nullopt;
   }
-  if (has_pressure) return pressure_on(section, patch, shape);
-  const auto traction = section.vector("traction", traction_range);
-  if (!traction || !traction->isZero(0)) return traction;
-  section.error("traction", "'traction' is zero: it loads nothing");
+  const char* key = has_pressure ? "pressure" : "traction";
+  const auto pressure = has_pressure ? section.number(key, traction_range) : std::optional(0.0);
+  const auto traction = has_pressure ? std::optional<Vector3d>(Vector3d::Zero()) : section.vector(key, traction_range);
+  if (!pressure || !traction) return std::nullopt;
+  if (*pressure != 0 || !traction->isZero(0)) return Force{*traction, *pressure};
+  section.error(key, fmt::format("'{}' is zero: it loads nothing", key));
   return std::nullopt;
 }
 
-// A traction on a support does no work where the support prescribes the same component.
+// Whether a support leaves the face free to move in a direction that the traction has.
+bool does_work(const Traction& traction, const Support& support, const Shape& shape) {
+  using Kind = Support::Kind;
+  if (support.kind == Kind::fixed || support.kind == Kind::driven) return false;
+  if (support.kind == Kind::mean) return true;
+  const Vector3d normal = plane_normal(shape, support.patch.face);
+  if (support.kind == Kind::sliding) return !traction.traction.cross(normal).isZero(0);  // pressure has no such part
+  return traction.pressure != 0 || traction.traction.dot(normal) != 0;
+}
+
 void check_against_supports(Section& section, const Traction& traction, const BodyDraft& body) {
-  for (const Support& support : body.supports) {
-    if (support.patch.face != traction.patch.face || support.patch.disc || support.kind == Support::Kind::mean)
-      continue;
-    if (support.kind == Support::Kind::sliding) {
-      const Vector3d normal = plane_normal(*body.shape, support.patch.face);
-      if (!traction.traction.cross(normal).isZero(0)) continue;
-    }
-    section.error("face", fmt::format("the traction on face '{}' does no work: a {} support holds that face",
-                                      support.patch.face, support.kind == Support::Kind::fixed ? "fixed" : "sliding"));
+  for (const Support& support : body.supports.supports) {
+    if (support.patch.face != traction.patch.face || support.patch.disc) continue;
+    if (does_work(traction, support, *body.shape)) continue;
+    section.error("face", fmt::format("the {} on face '{}' does no work: a {} support holds that face",
+                                      traction.pressure != 0 ? "pressure" : "traction", support.patch.face,
+                                      to_string(support.kind)));
   }
 }
 
@@ -72,10 +75,10 @@ std::optional<Traction> read_traction(Section section, const std::vector<BodyDra
   const BodyDraft* body = read_body_reference(section, bodies);
   const std::optional<Shape> shape = body == nullptr ? std::nullopt : body->shape;
   const auto patch = read_patch(section, shape);
-  const auto force = read_force(section, patch, shape);
+  const auto force = read_force(section);
   section.finish();
   if (!patch || !force) return std::nullopt;
-  Traction traction{*body->name, *patch, *force};
+  Traction traction{*body->name, *patch, force->traction, force->pressure};
   check_against_supports(section, traction, *body);
   return traction;
 }
@@ -100,17 +103,13 @@ std::optional<Probe> read_probe(Section section, const std::vector<BodyDraft>& b
   const auto name = section.name("name");
   const BodyDraft* body = read_body_reference(section, bodies);
   const auto point = section.vector("point", {-1e4, 1e4, "m"});
-  auto direction = section.vector("direction", {-1e6, 1e6});
+  const auto direction = read_direction(section, "direction");
   section.finish();
-  if (direction && direction->norm() < 1e-6) {  // below, its digits are mostly rounding of what was meant to be zero
-    section.error("direction", "'direction' is zero: it points nowhere");
-    direction.reset();
-  }
   if (point && body != nullptr && body->shape && !contains(*body->shape, *point, placement_tolerance(*body->shape))) {
     section.error("point", fmt::format("the probe lies outside body '{}'", *body->name));
   }
   if (!name || body == nullptr || !point || !direction) return std::nullopt;
-  return Probe{*name, *body->name, *point, direction->normalized()};
+  return Probe{*name, *body->name, *point, *direction};
 }
 
 }  // namespace mb

@@ -6,9 +6,13 @@
 #include <set>
 
 #include "cases/scene/check_text.h"
+#include "cases/scene/closed_form.h"
 #include "cases/scene/read_load.h"
+#include "cases/scene/read_profile.h"
 #include "cases/scene/read_study.h"
 #include "cases/scene/read_time.h"
+#include "cases/scene/read_truth.h"
+#include "cases/scene/resolution.h"
 
 namespace mb {
 
@@ -31,6 +35,12 @@ void read_prose(Section& root, Scene& scene) {
   scene.title = root.text("title", 200).value_or("");
   scene.purpose = root.text("purpose", 4000).value_or("");
   scene.source = root.text("source", 1000).value_or("");
+  scene.exercises = root.text("exercises", 200, "");
+  if (!root.has("runs_in")) return;
+  if (const auto profiles = read_unlike(root, "runs_in", {profile_names(), "profile", "profiles"})) {
+    scene.runs_in.clear();
+    for (const auto& profile : *profiles) scene.runs_in.push_back(profile.value);
+  }
 }
 
 class Names {  // of one kind, each once
@@ -54,11 +64,22 @@ void check_crossings(Section& section, const BodyDraft& body, const Times& times
                            "check the units of youngs_modulus, density, shape and duration");
 }
 
-std::vector<BodyDraft> read_bodies(Section& root, const Times& times) {
+// Each ratio belongs to a mode of the body's mesh.
+void check_ratios(const BodyDraft& body, Findings& findings) {
+  if (!body.shape || !body.resolution) return;
+  const double most = n_dofs(*body.shape, *body.resolution) - 6;
+  const auto n = static_cast<double>(body.damping.ratios.size());
+  if (n <= most) return;
+  findings.error(body.damping.ratios_at,
+                 fmt::format("{} damping ratios: {} of body '{}' has at most {:.0f} elastic modes", n,
+                             to_string(*body.resolution), body.name.value_or(""), most));
+}
+
+std::vector<BodyDraft> read_bodies(Section& root, const Times& times, const HistoryContext& history) {
   std::vector<BodyDraft> bodies;
   Names names;
   for (Section& section : root.sections("body", {1, 64})) {
-    bodies.push_back(read_body(section));
+    bodies.push_back(read_body(section, history));
     names.add(section, bodies.back().name.value_or(""), "body");
     check_crossings(section, bodies.back(), times);
     if (bodies.size() == 2) {
@@ -70,7 +91,14 @@ std::vector<BodyDraft> read_bodies(Section& root, const Times& times) {
 
 void read_loads(Section& root, const std::vector<BodyDraft>& bodies, const HistoryContext& context, Scene& scene) {
   Names names;
-  for (Section& section : root.sections("load", {1, 64})) {
+  auto sections = root.sections("load", {0, 64});
+  const bool driven = std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.supports.driven; });
+  if (!root.has("load") && !driven) {
+    root.missing("load", "1 to 64 tables [[load]], or a driven support of a body: nothing would move");
+  } else if (root.is_empty_array("load") && !driven) {
+    root.error("load", "'load' in the case is empty, and no support of a body is driven: nothing would move");
+  }
+  for (Section& section : sections) {
     auto load = read_load(section, bodies, context);
     if (!load) continue;
     names.add(section, load->name, "load");
@@ -88,64 +116,108 @@ void read_probes(Section& root, const std::vector<BodyDraft>& bodies, Scene& sce
   }
 }
 
-void read_checks(Section& root, const std::optional<Study>& study, const Vocabulary& vocabulary, Scene& scene) {
+std::string twin_key(const Check& check) {
+  return fmt::format("{} {} {} {} {}\n{}\n{} {}", check.method, check.metric, check.truth, check.modes, check.table,
+                     check.column, check.row, check.at_most.has_value());
+}
+
+void read_checks(Section& root, const CheckContext& context, const Vocabulary& vocabulary, Scene& scene) {
   std::set<std::string> asked;
   for (Section& section : root.sections("check", {0, 64})) {
-    auto check = read_check(section, study, vocabulary);
+    auto check = read_check(section, context, vocabulary);
     if (!check) continue;
-    if (!asked
-             .insert(fmt::format("{} {} {} {} {}", check->method, check->metric, check->truth, check->modes,
-                                 check->at_most.has_value()))
-             .second) {
+    if (!asked.insert(twin_key(*check)).second) {
       section.findings().error(section.where(), "this check stands here twice");
     }
     scene.checks.push_back(std::move(*check));
   }
 }
 
-Body completed(const BodyDraft& draft) {
-  return {draft.name.value(), draft.shape.value(),      draft.material.value(),
-          draft.damping,      draft.resolution.value(), draft.supports};
+// What is read from outside the text.
+struct Context {
+  std::filesystem::path folder;
+  const Vocabulary& vocabulary;
+};
+
+TruthDraft read_truth_of(Section& root, std::optional<Section>& profile, const std::vector<BodyDraft>& bodies) {
+  const auto section = root.section("truth");
+  return section ? read_truth(*section, profile, bodies) : TruthDraft{std::nullopt, true, {}};
 }
 
 // As much of the scene as can be read; complete where nothing was recorded.
-Scene read_parts(Section& root, const std::filesystem::path& folder, const Vocabulary& vocabulary,
-                 const std::string& profile) {
+Scene read_parts(Section root, const Context& context, const std::string& name) {
   Scene scene{};
   require_schema(root);
   read_prose(root, scene);
   const Times times = read_times(root);
-  const std::vector<BodyDraft> bodies = read_bodies(root, times);
-  read_loads(root, bodies, {folder, times.longest()}, scene);
+  auto profile = read_profile(root, name);
+  const HistoryContext history{context.folder, times.longest()};
+  const std::vector<BodyDraft> bodies = bodies_in(profile, read_bodies(root, times, history));
+  for (const BodyDraft& body : bodies) check_ratios(body, root.findings());
+  read_loads(root, bodies, history, scene);
   read_probes(root, bodies, scene);
-  if (auto section = root.section("truth")) scene.truth = read_truth(*section, bodies).value_or(TruthSettings{});
+  const TruthDraft truth = read_truth_of(root, profile, bodies);
   std::optional<Study> study;
-  if (auto section = root.section("study")) study = read_study(*section, bodies, vocabulary, times.shortest());
-  read_checks(root, study, vocabulary, scene);
+  if (auto section = root.section("study")) {
+    study = read_study(*section, profile, bodies, context.vocabulary, {times.shortest(), times.duration.at(name)});
+  }
+  if (auto section = root.section("reference_frequencies", true)) {
+    scene.reference_frequencies = read_reference_frequencies(*section);
+  }
+  const std::string runs = profile && profile->has("modes") ? fmt::format("profile {}", name) : "the study";
+  read_checks(root, {study, runs, truth.has_exact}, context.vocabulary, scene);
   for (const char* key : {"gravity", "contact"}) root.not_yet(key);
+  if (profile) profile->finish();
   root.finish();
   if (!root.findings().empty()) return scene;
   for (const BodyDraft& body : bodies) scene.bodies.push_back(completed(body));
+  scene.truth = truth.settings.value();
   scene.study = study.value();
-  scene.duration = times.duration.at(profile);
+  scene.duration = times.duration.at(name);
   scene.frame_rate = times.frame_rate;
   scene.samples_per_second = times.samples_per_second;
-  scene.profile = profile;
+  scene.profile = name;
+  const std::string problem = closed_form_problem(scene);
+  if (!problem.empty()) root.findings().error(truth.exact_at, printable(problem, 300));
   return scene;
+}
+
+std::optional<TomlTable> document_of(std::string_view text, Findings& findings) {
+  return check_text(text, findings) ? parse_toml(text, findings) : std::nullopt;
+}
+
+std::string_view without_mark(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // a byte order mark is no content
+  return text;
 }
 
 }  // namespace
 
 Scene read_scene(std::string_view text, const std::string& file, const std::filesystem::path& folder,
                  const Vocabulary& vocabulary, const std::string& profile) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // a byte order mark is no content
+  text = without_mark(text);
   Findings findings(file, text);
-  const auto document = check_text(text, findings) ? parse_toml(text, findings) : std::nullopt;
+  const auto document = document_of(text, findings);
   if (!document) throw CaseErrors(findings.found());
-  Section root(*document, {}, "", false, findings);
-  Scene scene = read_parts(root, folder, vocabulary, profile);
+  const Section root(*document, {}, "", false, findings);
+  std::map<std::string, Scene> scenes;
+  for (const std::string& name : profile_names()) scenes[name] = read_parts(root, {folder, vocabulary}, name);
   if (!findings.empty()) throw CaseErrors(findings.found());
-  return scene;
+  return scenes.at(profile);
+}
+
+std::map<std::string, std::string> keys_asked(std::string_view text, const std::filesystem::path& folder,
+                                              const Vocabulary& vocabulary) {
+  text = without_mark(text);
+  Findings findings("case", text);
+  const auto document = document_of(text, findings);
+  if (!document) return {};
+  const Section root(*document, {}, "", false, findings);
+  try {
+    for (const std::string& name : profile_names()) read_parts(root, {folder, vocabulary}, name);
+  } catch (const CaseErrors&) {  // of another schema: nothing else was asked for
+  }
+  return findings.asked();
 }
 
 }  // namespace mb

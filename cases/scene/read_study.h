@@ -1,18 +1,22 @@
-// [truth], [study] and [[check]]: how precise the truth is, who answers the case, and what must hold.
+// [study] and [[check]]: who answers the case, and what must hold.
 #pragma once
 
 #include "cases/scene/read_body.h"
+#include "cases/scene/read_runs.h"
 #include "cases/scene/section.h"
 
 namespace mb {
 
-std::optional<TruthSettings> read_truth(Section section, const std::vector<BodyDraft>& bodies);
+// The profile may give other mode counts, rivals and steppings. shortest [s]: of all profiles, duration [s]: of this.
+Study read_study(Section section, std::optional<Section>& profile, const std::vector<BodyDraft>& bodies,
+                 const Vocabulary& vocabulary, const StudyTimes& times);
 
-// shortest_duration [s] of all profiles: no time step may exceed it.
-Study read_study(Section section, const std::vector<BodyDraft>& bodies, const Vocabulary& vocabulary,
-                 double shortest_duration);
-
-// The study's methods and modes are those that a check may name. Nothing in the study: it was wrong, any will do.
-std::optional<Check> read_check(Section section, const std::optional<Study>& study, const Vocabulary& vocabulary);
+// What a check may refer to, as far as it could be read.
+struct CheckContext {
+  std::optional<Study> study;  // nothing: it was wrong, any method and mode count will do
+  std::string runs;            // who does not run what a check asks for: "the study", "profile quick"
+  bool has_exact;              // whether a closed form is named
+};
+std::optional<Check> read_check(Section section, const CheckContext& context, const Vocabulary& vocabulary);
 
 }  // namespace mb

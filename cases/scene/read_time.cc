@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "cases/scene/read_profile.h"
+
 namespace mb {
 
 namespace {
@@ -23,18 +25,6 @@ void check_samples(Section& section, const std::string& key, double rate, const 
   }
 }
 
-void read_profiles(Section& root, Times& times) {
-  auto section = root.section("profile", true);
-  if (!section) return;
-  for (const char* name : {"standard", "full"}) {
-    auto profile = section->section(name, true);
-    if (!profile) continue;
-    times.duration[name] = profile->number("duration", duration_range).value_or(times.duration["quick"]);
-    profile->finish();
-  }
-  section->finish();
-}
-
 }  // namespace
 
 double Times::shortest() const {
@@ -47,17 +37,15 @@ double Times::longest() const {
   return std::max_element(duration.begin(), duration.end(), by_value)->second;
 }
 
-const std::vector<std::string>& profile_names() {
-  static const std::vector<std::string> names{"quick", "standard", "full"};
-  return names;
-}
-
 Times read_times(Section& root) {
   Times times;
   auto section = root.section("time");
   const auto duration = section ? section->number("duration", duration_range) : std::nullopt;
-  for (const std::string& name : profile_names()) times.duration[name] = duration.value_or(1);
-  read_profiles(root, times);
+  for (const std::string& name : profile_names()) {
+    const double base = duration.value_or(1);
+    auto profile = read_profile(root, name);
+    times.duration[name] = profile ? profile->number("duration", duration_range, base) : base;
+  }
   if (!section) return times;
   const auto frame_rate = section->number("frame_rate", rate_range);
   const auto samples = section->number("samples_per_second", rate_range);

@@ -1,5 +1,4 @@
-// [time] and [profile.NAME]: how long, how often looked at. The top of the case is the quick profile; `standard` and
-// `full` may last longer.
+// [time], and `duration` of [profile.NAME]: how long, how often looked at.
 #pragma once
 
 #include <map>
@@ -18,7 +17,5 @@ struct Times {
 inline constexpr double most_samples = 1e5;  // times at which trajectories are compared: what memory holds
 
 Times read_times(Section& root);
-
-const std::vector<std::string>& profile_names();  // quick, standard, full
 
 }  // namespace mb

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "cases/scene/check_text.h"
+#include "cases/scene/read_profile.h"
 #include "cases/scene/read_scene.h"
-#include "cases/scene/read_time.h"
 #include "cases/scene/table_file.h"
 
 namespace mb {

@@ -35,6 +35,9 @@ class CaseErrors : public std::runtime_error {
 // Names that a case may use; the catalogues of the harness supply them.
 struct Vocabulary {
   std::vector<std::string> methods, integrators, metrics;
+  std::vector<std::string> methods_without_modes;  // of methods: those that take no mode count
+  std::vector<std::string> adaptive_integrators;   // of integrators: those that take a tolerance instead of a step
+  std::vector<std::string> analyses;
 };
 
 // profile: "quick", "standard" or "full". Throws CaseErrors.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "mechanics/geometry/overloaded.h"
@@ -19,8 +20,9 @@ double n_dofs(const Shape& shape, const Resolution& resolution) {
   const auto nodes = [&](std::size_t i) { return static_cast<double>(resolution.degree * resolution.cells[i]); };
   return 3 * std::visit(overloaded{[&](const Box&) { return (nodes(0) + 1) * (nodes(1) + 1) * (nodes(2) + 1); },
                                    [&](const Cylinder&) {
-                                     const double m = nodes(0);
-                                     return ((m + 1) * (m + 1) + 4 * m * m) * (nodes(1) + 1);
+                                     const double m = nodes(0), p = resolution.degree;
+                                     const double disc = m == 0 ? (p + 1) * (p + 1) : (m + 1) * (m + 1) + 4 * m * m;
+                                     return disc * (nodes(1) + 1);
                                    },
                                    [&](const Sphere&) {
                                      const double m = nodes(0);
@@ -32,15 +34,22 @@ double n_dofs(const Shape& shape, const Resolution& resolution) {
 bool check_mesh(const Shape& shape, const Resolution& resolution, const Position& where, Findings& findings) {
   const std::size_t n = n_cell_entries(shape);
   if (resolution.cells.size() != n) {
-    const char* const means[] = {"along x, y, z", "edge splits of the disc, layers along z",
+    const char* const means[] = {"along x, y, z", "edge splits of the disc (0: one block), layers along z",
                                  "edge splits of its blocks"};
     findings.error(
         where, fmt::format("'cells' of a {} has {} entries: must be {}", kind_name(shape), resolution.cells.size(), n),
         fmt::format("cells of a {}: {}", kind_name(shape), means[shape.index()]));
     return false;
   }
+  const bool one_block = std::holds_alternative<Cylinder>(shape) && resolution.cells[0] == 0;
+  const auto zero = std::find(resolution.cells.begin() + (one_block ? 1 : 0), resolution.cells.end(), 0);
+  if (zero != resolution.cells.end()) {
+    findings.error(where, fmt::format("entry {} of 'cells' is 0: only the edge splits of a cylinder's disc may be",
+                                      zero - resolution.cells.begin() + 1));
+    return false;
+  }
   const auto splits = static_cast<unsigned>(resolution.cells[0]);
-  if (!std::holds_alternative<Box>(shape) && !std::has_single_bit(splits)) {
+  if (!std::holds_alternative<Box>(shape) && !one_block && !std::has_single_bit(splits)) {
     findings.error(where, fmt::format("a {} has its blocks halved again and again: {} edge splits are no power of two",
                                       kind_name(shape), splits));
     return false;
@@ -55,7 +64,8 @@ bool check_mesh(const Shape& shape, const Resolution& resolution, const Position
 std::optional<Resolution> read_resolution(Section section, const std::optional<Shape>& shape) {
   const auto degree = section.integer("degree", degree_range);
   const Count entries = shape ? Count{n_cell_entries(*shape), n_cell_entries(*shape)} : Count{1, 3};
-  const auto cells = section.integers("cells", cells_range, entries);
+  const bool disc = !shape || std::holds_alternative<Cylinder>(*shape);
+  const auto cells = section.integers("cells", disc ? any_cells_range : cells_range, entries);
   section.finish();
   if (!degree || !cells) return std::nullopt;
   Resolution resolution{*degree, {}};

@@ -1,6 +1,7 @@
 // The size of a mesh before it is made. With m = degree * splits, a layer of the cylinder's disc (one square, four
 // blocks around it) has (m + 1)^2 + 4 m^2 nodes; the ball (one cube, six blocks around it) has
-// (m + 1)^3 + m (6 m^2 + 2), shells of the cube's surface nodes.
+// (m + 1)^3 + m (6 m^2 + 2), shells of the cube's surface nodes. A cylinder of 0 splits is one block across: (p + 1)^2
+// nodes a layer, p the degree.
 #pragma once
 
 #include "cases/scene/scene.h"
@@ -15,7 +16,9 @@ const char* kind_name(const Shape& shape);                        // "box", "cyl
 inline constexpr double most_dofs = 2e6;  // [-] assembled K and M of more do not fit one machine
 
 inline const Range degree_range{1, 4};
-inline const Range cells_range{1, 256};
+inline const Range cells_range{1, 1024};
+// A cylinder may have 0 edge splits: one block across the disc. Other shapes are checked by check_mesh.
+inline const Range any_cells_range{0, 1024};
 
 // Whether such a mesh can be made: number of entries, powers of two, number of degrees of freedom. Records what is
 // wrong.

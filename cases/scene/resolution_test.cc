@@ -15,6 +15,8 @@ TEST(MeshSize, counts_the_nodes_of_each_shape) {
   EXPECT_EQ(n_dofs(cylinder, {4, {1, 4}}), 4539);
   EXPECT_EQ(n_dofs(cylinder, {4, {2, 4}}), 17187);
   EXPECT_EQ(n_dofs(cylinder, {3, {2, 4}}), 7527);
+  // One block across: 9 nodes of degree 2 a layer, 5 layers of nodes.
+  EXPECT_EQ(n_dofs(cylinder, {2, {0, 2}}), 3 * 9 * 5);
   // One ball of seven bricks has 16 corners.
   EXPECT_EQ(n_dofs(sphere, {1, {1}}), 48);
 }
@@ -28,7 +30,9 @@ TEST(MeshSize, refuses_meshes_that_cannot_be_made) {
   EXPECT_FALSE(check_mesh(cylinder, {4, {4}}, {}, findings));
   EXPECT_FALSE(check_mesh(sphere, {1, {6}}, {}, findings));
   EXPECT_FALSE(check_mesh(sphere, {4, {256}}, {}, findings));
-  EXPECT_EQ(findings.found().size(), 4u);
+  EXPECT_FALSE(check_mesh(cylinder, {2, {1, 0}}, {}, findings));
+  EXPECT_FALSE(check_mesh(Box{{1, 1, 1}}, {2, {0, 1, 1}}, {}, findings));
+  EXPECT_EQ(findings.found().size(), 6u);
 }
 
 TEST(Ranges, know_open_ends_and_no_nan) {
@@ -39,6 +43,8 @@ TEST(Ranges, know_open_ends_and_no_nan) {
   EXPECT_FALSE(poisson.contains(std::nan("")));
   EXPECT_EQ(to_string(poisson), "(-1, 0.5)");
   EXPECT_EQ(to_string(Range{0, 1e5, "s", true}), "(0, 100000] s");
+  EXPECT_EQ(to_string(Range{1e-6, 1e13, "Pa"}), "[1e-6, 1e13] Pa");
+  EXPECT_EQ(to_string(Range{-1e-12, 2.5e100}), "[-1e-12, 2.5e100]");
 }
 
 }  // namespace

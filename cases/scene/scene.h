@@ -17,19 +17,28 @@
 namespace mb {
 
 // Hexahedra of degree 1 to 4. cells: box {along x, along y, along z}; cylinder {edge splits of the five blocks of the
-// disc (a power of two), layers along z}: 5 splits^2 layers cells; sphere {edge splits of its seven blocks (a power of
-// two)}.
+// disc (a power of two), layers along z}: 5 splits^2 layers cells, or {0, layers}: the disc is one block; sphere {edge
+// splits of its seven blocks (a power of two)}.
 struct Resolution {
   int degree;              // in [1, 4]
-  std::vector<int> cells;  // each in [1, 256]
+  std::vector<int> cells;  // each in [1, 1024]; splits of a cylinder also 0
 };
 bool operator==(const Resolution&, const Resolution&);
 std::string to_string(const Resolution& resolution);  // "Q4 1x4"
 
+// A base that moves as a rigid whole: u(t) is the displacement relative to it, and every point of the body feels the
+// d'Alembert force -rho a(t) direction. Damping acts on the relative velocity.
+struct Drive {
+  Vector3d direction;   // [-] unit
+  History acceleration; /* [m/s^2] of the base along the direction, from rest */
+};
+
 struct Support {
-  enum class Kind { fixed, sliding, mean };  // u = 0; u.n = 0; area mean of w u.n = 0
+  enum class Kind { fixed, sliding, mean, diaphragm, driven };
+  // u = 0; u.n = 0; area mean of w u.n = 0; u - n (u.n) = 0; u = 0 relative to the moving base
   Kind kind;
-  Patch patch;  // fixed and sliding: a whole face (sliding: a plane one)
+  Patch patch;                // all but mean: a whole face (sliding and diaphragm: a plane one)
+  std::optional<Drive> drive = std::nullopt; /* of driven supports; all of a body state the same */
 };
 
 struct Body {
@@ -37,14 +46,16 @@ struct Body {
   Shape shape;
   Material material;
   Rayleigh damping;
-  Resolution resolution;  // the mesh of the `same_mesh` truth and of the modal contenders
+  std::vector<double> damping_ratios;  // [-] in [0, 10]: of the first elastic modes, in the place of Rayleigh's
+  Resolution resolution;               // the mesh of the `same_mesh` truth and of the modal contenders
   std::vector<Support> supports;
 };
 
 struct Traction {
   std::string body;
   Patch patch;
-  Vector3d traction;  // [Pa] dead load per reference area, times the patch weight
+  Vector3d traction;    // [Pa] dead load per reference area, times the patch weight
+  double pressure = 0;  // [Pa] adds -pressure n, n the reference normal
 };
 struct Load {
   std::string name;
@@ -58,35 +69,58 @@ struct Probe {
   Vector3d direction;  // [-] unit; the signal is u(point) . direction
 };
 
-// Full-order contenders: every degree x cells x time step.
+// Full-order contenders: every degree x cells x time step, or x tolerance for adaptive integrators.
 struct Rival {
   std::string integrator;
   std::vector<int> degrees;
   std::vector<std::vector<int>> cells;
-  std::vector<double> time_steps;  // [s]
+  std::vector<double> time_steps;           // [s]; one of the two is empty
+  std::vector<double> relative_tolerances;  // [-]
+};
+// Reduced contenders that step with another integrator than the closed form: every method x mode count x time step or
+// tolerance.
+struct Stepping {
+  std::string integrator;
+  std::vector<std::string> methods;
+  std::vector<int> modes;                   // not looked at by methods that take no mode count
+  std::vector<double> time_steps;           // [s]; one of the two is empty
+  std::vector<double> relative_tolerances;  // [-]
 };
 struct Study {
-  std::vector<std::string> methods;  // reduced methods, each at every mode count
+  std::vector<std::string> methods;  // reduced methods in closed form, each at every mode count if it takes one
   std::vector<int> modes;            // elastic modes r >= 0; rigid modes always stay
+  std::vector<Stepping> steppings;
   std::vector<Rival> rivals;
-  double load_tolerance = 1e-5;      // [-] of resampling chirps and expressions, relative to their peak
+  std::vector<std::string> analyses;  // what else is found out: names of the catalogue of analyses
+  double load_tolerance = 1e-5;       // [-] of resampling chirps and expressions, relative to their peak
 };
 
 struct TruthSettings {
   double relative_tolerance;  // [-] of the adaptive integration, in [1e-12, 1e-2]; error bars take a hundredth of it
   Resolution finer, coarser;  // truth `finer` and the neighbour whose distance is its discretisation bar
+  std::string exact;          // name of a closed form (cases/exact/exact.h), or ""
 };
 
-// What must hold; decides exit codes. Exactly one of at_most and at_least.
+// Published natural frequencies of the first body, for the analysis `frequencies`.
+struct ReferenceFrequencies {
+  std::vector<double> hertz;  // [1/s] elastic, ascending, multiplets as often as they occur
+  double uncertainty = 0;     // [-] relative
+};
+
+// What must hold; decides exit codes. Exactly one of at_most and at_least. Of a run: method, metric, truth, modes. Of a
+// table that an analysis makes: table and column, every row of it, or those whose first cell is `row`.
 struct Check {
-  std::string method, metric, truth;  // truth: "finer" or "same_mesh"
-  int modes;
+  std::string table, column, row;     // "" where the check is of a run
+  std::string method, metric, truth;  // truth: "finer", "same_mesh" or "exact"
+  int modes;                          // 0 for methods that take no mode count
   std::optional<double> at_most, at_least;
   std::string why;
 };
 
 struct Scene {
   std::string name, title, purpose, source;
+  std::string exercises;  // what of the suite the case tries, one line
+  std::vector<std::string> runs_in{"quick", "standard", "full"};  // profiles in which it runs where none is named
   std::vector<Body> bodies;
   std::vector<Load> loads;
   std::vector<Probe> probes;
@@ -96,6 +130,7 @@ struct Scene {
   TruthSettings truth;
   Study study;
   std::vector<Check> checks;
+  ReferenceFrequencies reference_frequencies;
   std::string profile;  // "quick", "standard" or "full"
 };
 

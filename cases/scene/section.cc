@@ -13,8 +13,23 @@ bool Range::contains(double x) const {
   return (open_least ? x > least : x >= least) && (open_most ? x < most : x <= most);
 }
 
+namespace {
+
+// As people write it in a case file: 1e13 and 1e-6, not 1e+13 and 1e-06.
+std::string brief(double x) {
+  std::string text = fmt::format("{:.9g}", x);
+  const std::size_t at = text.find('e');
+  if (at == std::string::npos) return text;
+  if (text[at + 1] == '+') text.erase(at + 1, 1);
+  const std::size_t digits = text.find_first_of("0123456789", at);
+  if (text[digits] == '0') text.erase(digits, 1);
+  return text;
+}
+
+}  // namespace
+
 std::string to_string(const Range& range) {
-  return fmt::format("{}{:.9g}, {:.9g}{}{}{}", range.open_least ? '(' : '[', range.least, range.most,
+  return fmt::format("{}{}, {}{}{}{}", range.open_least ? '(' : '[', brief(range.least), brief(range.most),
                      range.open_most ? ')' : ']', range.unit.empty() ? "" : " ", range.unit);
 }
 
@@ -41,15 +56,22 @@ bool Section::has(const std::string& key) {
   return entry(key) != nullptr;
 }
 
-std::optional<Section::Item> Section::find(const std::string& key) {
+std::optional<Section::Item> Section::find(const std::string& key, const std::string& what) {
+  findings_->ask(path_of(key), what);
   if (!has(key)) return std::nullopt;
   return Item{&entry(key)->value, fmt::format("'{}' in {}", key, title_)};
 }
 
 std::optional<Section::Item> Section::required(const std::string& key, const std::string& what) {
-  const auto found = find(key);
+  const auto found = find(key, what);
   if (!found) missing(key, what);
   return found;
+}
+
+bool Section::is_empty_array(const std::string& key) const {
+  const TomlEntry* found = entry(key);
+  const auto* array = found == nullptr ? nullptr : std::get_if<TomlArray>(&found->value.value);
+  return array != nullptr && array->items.empty();
 }
 
 void Section::missing(const std::string& key, std::string what) {

@@ -22,7 +22,7 @@ struct Range {
   bool open_least = false, open_most = false;
   bool contains(double x) const;  // false for NaN
 };
-std::string to_string(const Range& range);  // "[1, 1e+13] Pa"
+std::string to_string(const Range& range);  // "[1, 1e13] Pa"
 
 struct Count {
   std::size_t least, most;
@@ -49,8 +49,9 @@ class Section {
   std::optional<double> number(const std::string& key, const Range& range);
   double number(const std::string& key, const Range& range, double fallback);
   std::optional<int> integer(const std::string& key, const Range& range);        // the range lies within that of int
-  std::optional<std::string> text(const std::string& key, std::size_t longest);  // not empty
-  std::optional<std::string> name(const std::string& key);                       // [a-z0-9-]{1,64}
+  std::optional<std::string> text(const std::string& key, std::size_t longest);  // not blank
+  std::string text(const std::string& key, std::size_t longest, const std::string& fallback);
+  std::optional<std::string> name(const std::string& key);  // [a-z0-9-]{1,64}
   std::optional<std::string> choice(const std::string& key, const Words& words);
   std::optional<Vector3d> vector(const std::string& key, const Range& range);
   std::optional<std::vector<double>> numbers(const std::string& key, const Range& range, const Count& count);
@@ -62,7 +63,8 @@ class Section {
   std::optional<Section> section(const std::string& key, bool optional = false);  // [key] or key = { ... }
   std::vector<Section> sections(const std::string& key, const Count& count);      // [[key]]
 
-  bool has(const std::string& key);                        // the key is known from now on, present or not
+  bool has(const std::string& key);  // the key is known from now on, present or not
+  bool is_empty_array(const std::string& key) const;
   void not_yet(const std::string& key);                    // present, it is an error: understood, but not simulated yet
   void missing(const std::string& key, std::string what);  // reported by finish()
 
@@ -87,7 +89,8 @@ class Section {
   };  // label: "'modes'", "entry 2 of 'modes'"
 
   const TomlEntry* entry(const std::string& key) const;
-  std::optional<Item> find(const std::string& key);  // the key is known from now on
+  // what: what the key takes, for the list of all keys asked for (Findings::asked). The key is known from now on.
+  std::optional<Item> find(const std::string& key, const std::string& what);
   std::optional<Item> required(const std::string& key, const std::string& what);
   std::optional<std::vector<Item>> items(const std::string& key, const Item& array, const Count& count,
                                          const std::string& what);

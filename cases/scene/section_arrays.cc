@@ -75,21 +75,23 @@ std::optional<std::vector<Located<std::string>>> Section::choices(const std::str
 }
 
 std::optional<Section> Section::section(const std::string& key, bool optional) {
-  const auto item = optional ? find(key) : required(key, fmt::format("a table [{}]", path_of(key)));
+  const std::string what = fmt::format("a table [{}]", path_of(key));
+  const auto item = optional ? find(key, what) : required(key, what);
   if (!item) return std::nullopt;
   if (const auto* table = std::get_if<TomlTable>(&item->value->value)) {
     return Section(*table, item->value->where, path_of(key), false, *findings_);
   }
-  wrong_type(*item, fmt::format("a table [{}]", path_of(key)));
+  wrong_type(*item, what);
   return std::nullopt;
 }
 
 std::vector<Section> Section::sections(const std::string& key, const Count& count) {
   const std::string what = fmt::format("tables [[{}]]", path_of(key));
   std::vector<Section> out;
-  const auto item = find(key);
+  const std::string counted = fmt::format("{} {}", to_string(count), what);
+  const auto item = find(key, counted);
   if (!item) {
-    if (count.least > 0) missing(key, fmt::format("{} {}", to_string(count), what));
+    if (count.least > 0) missing(key, counted);
     return out;
   }
   const auto found = items(key, *item, count, what);

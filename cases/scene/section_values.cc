@@ -20,6 +20,10 @@ std::string array_of(const Count& count, const std::string& what) {
   return fmt::format("an array of {} {}", to_string(count), what);
 }
 
+bool is_vowel(char c) { return std::string_view("aeiou").find(c) != std::string_view::npos; }
+
+std::string text_of(std::size_t longest) { return fmt::format("a text of at most {} bytes", longest); }
+
 }  // namespace
 
 void Section::wrong_type(const Item& item, const std::string& expected) {
@@ -72,7 +76,7 @@ std::optional<std::string> Section::as_text(const Item& item, std::size_t longes
 std::optional<std::string> Section::as_word(const Item& item, const Words& words) {
   const auto* text = std::get_if<std::string>(&item.value->value);
   if (text == nullptr) {
-    wrong_type(item, fmt::format("a string that names a {}", words.one));
+    wrong_type(item, fmt::format("a string that names {} {}", is_vowel(words.one[0]) ? "an" : "a", words.one));
     return std::nullopt;
   }
   for (const std::string& known : words.known) {
@@ -108,7 +112,7 @@ std::optional<double> Section::number(const std::string& key, const Range& range
 }
 
 double Section::number(const std::string& key, const Range& range, double fallback) {
-  const auto item = find(key);
+  const auto item = find(key, "a number in " + to_string(range));
   return item ? as_number(*item, range).value_or(fallback) : fallback;
 }
 
@@ -118,8 +122,13 @@ std::optional<int> Section::integer(const std::string& key, const Range& range) 
 }
 
 std::optional<std::string> Section::text(const std::string& key, std::size_t longest) {
-  const auto item = required(key, "a string");
+  const auto item = required(key, text_of(longest));
   return item ? as_text(*item, longest) : std::nullopt;
+}
+
+std::string Section::text(const std::string& key, std::size_t longest, const std::string& fallback) {
+  const auto item = find(key, text_of(longest));
+  return item ? as_text(*item, longest).value_or(fallback) : fallback;
 }
 
 std::optional<std::string> Section::name(const std::string& key) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/catalogue.h"
+#include "harness/commands/information.h"
 
 namespace mb {
 
@@ -17,9 +18,6 @@ struct Console {
 };
 void print(const CaseErrors& errors, std::ostream& err);  // every diagnostic of a case file
 
-struct ListOptions {
-  std::string pattern; /* part of the name; empty: all */
-};
 struct CheckOptions {
   std::vector<std::string> files;
   std::string profile = "quick";
@@ -32,7 +30,10 @@ struct ModesOptions {
 struct RunCommandOptions {
   std::vector<std::string> cases;  // names or files; empty: every case of the catalogue
   std::string profile = "quick", store = "results";
-  bool again = false, plan = false;
+  std::vector<std::string> overrides;  // --set KEY=VALUE,...: harness/study/overrides.h
+  std::string shard = "1/1";           // which part of the jobs: harness/study/plan.h
+  int jobs = 1;                        // processes; times are taken afterwards, alone
+  bool again = false, plan = false, json = false, untimed = false;
   std::function<bool()> interrupted;
 };
 struct ReportOptions {
@@ -40,7 +41,6 @@ struct ReportOptions {
   std::string directory = "report", store = "results";
 };
 
-int list_command(const ListOptions&, const Catalogue&, const Console&);
 int check_command(const CheckOptions&, const Catalogue&, const Console&);
 int modes_command(const ModesOptions&, const Catalogue&, const Console&);
 int run_command(const RunCommandOptions&, const Catalogue&, const Console&);

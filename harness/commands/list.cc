@@ -1,47 +1,67 @@
 #include <fmt/ostream.h>
 
+#include "cases/json/json.h"
+#include "cases/scene/diagnostics.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
+#include "harness/study/estimate.h"
 #include "harness/study/plan.h"
 
 namespace mb {
 
-void print(const CaseErrors& errors, std::ostream& err) {
-  for (const Diagnostic& diagnostic : errors.diagnostics()) err << to_string(diagnostic);
+namespace {
+
+struct Entry {
+  Scene scene;
+  size_t n_runs;   // of contenders and analyses
+  double minutes;  // estimated, profile quick
+};
+
+std::string about(const Scene& scene) {
+  return printable(scene.exercises.empty() ? scene.title : scene.exercises, 200);
 }
 
+void print_table(const std::vector<Entry>& entries, std::ostream& out) {
+  fmt::print(out, "{:<28} {:>5} {:>8}  {}\n", "case", "runs", "minutes", "exercises");
+  for (const Entry& entry : entries)
+    fmt::print(out, "{:<28} {:>5} {:>8.2g}  {}\n", entry.scene.name, entry.n_runs, entry.minutes, about(entry.scene));
+}
+
+void print_json(const std::vector<Entry>& entries, std::ostream& out) {
+  Json cases = Json::array();
+  for (const Entry& entry : entries)
+    cases.push_back({{"name", entry.scene.name},
+                     {"title", entry.scene.title},
+                     {"exercises", entry.scene.exercises},
+                     {"n_runs", entry.n_runs},
+                     {"estimated_minutes", entry.minutes}});
+  fmt::print(out, "{}\n", to_line({{"schema", 1}, {"profile", "quick"}, {"cases", cases}}));
+}
+
+}  // namespace
+
 int list_command(const ListOptions& options, const Catalogue& catalogue, const Console& console) {
-  int code = 0, n_listed = 0;
+  int code = 0;
+  std::vector<Entry> entries;
   for (const auto& file : all_cases()) {
     if (file.stem().string().find(options.pattern) == std::string::npos) continue;
     try {
       const Scene scene = read_toml(file, catalogue.vocabulary());
-      fmt::print(console.out, "{:<28} {:>4} runs  {}\n", scene.name, contenders(scene).size(), scene.title);
-      ++n_listed;
+      entries.push_back({scene, jobs(scene, catalogue).size(), estimate(scene, catalogue).total() / 60});
     } catch (const CaseErrors& errors) {
       print(errors, console.err);
       code = 2;
     }
   }
-  if (n_listed == 0 && code == 0) {
+  if (entries.empty() && code == 0) {
     fmt::print(console.err, "no case{} here\n", options.pattern.empty() ? "" : " named like '" + options.pattern + "'");
-    code = 2;
+    return 2;
   }
+  if (options.json)
+    print_json(entries, console.out);
+  else if (!entries.empty())
+    print_table(entries, console.out);
   return code;
-}
-
-int check_command(const CheckOptions& options, const Catalogue& catalogue, const Console& console) {
-  int n_errors = 0;
-  for (const std::string& name : options.files) try {
-      const Scene scene = read_toml(find_case(name), catalogue.vocabulary(), options.profile);
-      fmt::print(console.out, "{}: valid (bodies: {}, contenders: {}, checks: {})\n", scene.name, scene.bodies.size(),
-                 contenders(scene).size(), scene.checks.size());
-    } catch (const CaseErrors& errors) {
-      print(errors, console.err);
-      n_errors += static_cast<int>(errors.diagnostics().size());
-    }
-  if (n_errors > 0) fmt::print(console.err, "{} error{}\n", n_errors, n_errors == 1 ? "" : "s");
-  return n_errors == 0 ? 0 : 2;
 }
 
 }  // namespace mb

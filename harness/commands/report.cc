@@ -4,7 +4,7 @@
 
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
-#include "harness/metrics/metric.h"
+#include "harness/metrics/definitions.h"
 #include "harness/provenance.h"
 #include "harness/study/current_records.h"
 #include "reports/content.h"
@@ -40,33 +40,17 @@ std::vector<Scene> scenes_in(const Store& store, const ReportOptions& options, c
   return scenes;
 }
 
-std::map<std::string, std::string> definitions() {
-  std::map<std::string, std::string> docs;
-  for (const Metric& metric : metric_catalogue()) docs[metric.name] = metric.doc;
-  docs["online-time"] =
-      "Stepping under the given load histories and reconstruction of displacements at the frame times, one thread, "
-      "median of at least 5 runs and 0.2 s after a warm-up; the bar is half the distance of the quartiles. A time "
-      "without a bar is that of a single run. Load patterns are known beforehand: projecting them is offline.";
-  docs["offline-time"] =
-      "What is done once before the first step, on either side: assembly of the mesh, factorisation, eigensolve with "
-      "its "
-      "gate, projection of the load patterns, static solves. One run.";
-  docs["load-error"] =
-      "Largest error, relative to the peak, in representing the load by lines and cosines: 0 for all histories but "
-      "chirps and expressions, which are resampled to [study] load_tolerance.";
-  return docs;
-}
-
 }  // namespace
 
 int report_command(const ReportOptions& options, const Catalogue& catalogue, const Console& console) {
   const Store store(options.store);
-  ReportInput input{{}, scenes_in(store, options, catalogue, console.err), {}, definitions()};
+  ReportInput input{{}, {}, scenes_in(store, options, catalogue, console.err), {}, meanings()};
   StoredResults stored = current_records(store, input.scenes);
   if (stored.n_other > 0) fmt::print(console.err, "{} records of other settings or builds left out\n", stored.n_other);
   for (const RefusedLine& line : stored.refused)
     fmt::print(console.err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
   input.records = std::move(stored.records);
+  input.findings = std::move(stored.findings);
   input.environment = input.records.empty() ? provenance("none") : input.records.front().provenance;
   for (const auto& file : write_report(input, options.directory)) fmt::print(console.out, "{}\n", file.string());
   if (!page_available())

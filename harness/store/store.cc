@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cases/json/finding_json.h"
+#include "harness/store/file.h"
 #include "harness/store/hash.h"
 
 namespace mb {
@@ -15,15 +17,17 @@ std::string lines_of(const std::vector<Record>& records) {
   return lines;
 }
 
+constexpr std::uintmax_t largest_findings = 1 << 28;  // [bytes]
+
 // The files of runs in the folder, sorted; temporary files of a run that was interrupted have other endings.
-std::vector<std::filesystem::path> record_files(const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> files_of_runs(const std::filesystem::path& folder, const char* ending) {
   std::vector<std::filesystem::path> files;
   if (!std::filesystem::exists(folder)) return files;
   std::error_code error;
   std::filesystem::directory_iterator entry(folder, error);
   for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
     const std::filesystem::path& file = entry->path();
-    if (file.extension() == ".jsonl" && is_content_hash(file.stem().string())) files.push_back(file);
+    if (file.extension() == ending && is_content_hash(file.stem().string())) files.push_back(file);
   }
   if (error) throw StoreError(folder, "cannot be listed: " + error.message());
   std::ranges::sort(files);
@@ -67,12 +71,60 @@ void Store::write_records(const std::string& hash, const std::vector<Record>& re
   if (!std::ranges::all_of(records, [&](const Record& record) { return record.run == hash; })) {
     throw std::invalid_argument("store: a record of another run");
   }
+  std::error_code none;
+  std::filesystem::remove(file("timings", hash, ".jsonl"), none);
   write_file(file("records", hash, ".jsonl"), lines_of(records));
+}
+
+bool Store::has_times(const std::string& hash) const {
+  std::error_code error;
+  return std::filesystem::exists(file("timings", hash, ".jsonl"), error);
+}
+void Store::write_times(const std::string& hash, const std::vector<Record>& times) const {
+  if (!std::ranges::all_of(times, [&](const Record& record) { return record.run == hash; })) {
+    throw std::invalid_argument("store: a time of another run");
+  }
+  write_file(file("timings", hash, ".jsonl"), lines_of(times));
+}
+RecordLines Store::read_records_of(const std::string& hash) const {
+  return read_records(file("records", hash, ".jsonl"));
+}
+
+bool Store::has_findings(const std::string& hash) const {
+  std::error_code error;
+  return std::filesystem::exists(file("findings", hash, ".json"), error);
+}
+void Store::write_findings(const std::string& hash, const std::vector<Finding>& findings) const {
+  Json list = Json::array();
+  for (const Finding& finding : findings) {
+    if (finding.run != hash) throw std::invalid_argument("store: a finding of another analysis");
+    list.push_back(to_json(finding));
+  }
+  write_file(file("findings", hash, ".json"), to_line(list) + "\n");
+}
+
+Store::Findings Store::read_all_findings() const {
+  Findings all;
+  for (const std::filesystem::path& path : files_of_runs(directory_ / "findings", ".json")) try {
+      const Json list = parse_json(read_file(path, largest_findings));
+      if (!list.is_array()) throw std::runtime_error("holds no list of findings");
+      for (const Json& entry : list) {
+        Finding finding = finding_from_json(entry);
+        if (finding.run != path.stem()) throw std::runtime_error("holds a finding of another analysis");
+        all.findings.push_back(std::move(finding));
+      }
+    } catch (const std::exception& error) {
+      all.refused.push_back({path, 0, error.what()});
+    }
+  return all;
 }
 
 RecordLines Store::read_all_records() const {
   RecordLines all;
-  for (const std::filesystem::path& path : record_files(directory_ / "records")) {
+  std::vector<std::filesystem::path> paths = files_of_runs(directory_ / "records", ".jsonl");
+  std::ranges::copy(files_of_runs(directory_ / "timings", ".jsonl"), std::back_inserter(paths));
+  std::ranges::stable_sort(paths, {}, [](const auto& path) { return path.stem(); });
+  for (const std::filesystem::path& path : paths) {
     RecordLines lines = read_records(path);
     for (Record& record : lines.records) {
       if (record.run == path.stem()) {

@@ -1,7 +1,8 @@
 // What has been computed, kept by content: a run is named by the hash of all that determines it.
 //
 //   STORE/trajectories/<hash>.h5   answers of contenders        STORE/records/<hash>.jsonl   the marks of one run
-//   STORE/truth/<hash>.h5          answers of the truth         STORE/results.jsonl          all marks, rebuilt
+//   STORE/truth/<hash>.h5          answers of the truth         STORE/timings/<hash>.jsonl   the times of one run
+//   STORE/findings/<hash>.json     tables of one analysis       STORE/results.jsonl          all marks, rebuilt
 //
 // Every file appears whole or not at all, one file a run: any number of processes may share a store. A damaged file is
 // named and never used: compute it again and write it over.
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/contract/finding.h"
 #include "cases/contract/record.h"
 #include "cases/json/record_json.h"
 #include "harness/store/trajectory_file.h"
@@ -32,11 +34,26 @@ class Store {
   Trajectory read_truth(const std::string& hash) const;
   void write_truth(const std::string& hash, const Trajectory& trajectory) const;
 
-  // Replaces what was recorded of this run; every record's `run` is the hash.
+  // Replaces what was recorded of this run, its times included; every record's `run` is the hash.
   bool has_records(const std::string& hash) const;
   void write_records(const std::string& hash, const std::vector<Record>& records) const;
 
-  // Sorted by run; damaged lines, and records under another run's name, are in `refused`.
+  // Times of a run, apart from its marks: they may be taken later, by another process, alone. May be none.
+  bool has_times(const std::string& hash) const;
+  void write_times(const std::string& hash, const std::vector<Record>& times) const;
+  RecordLines read_records_of(const std::string& hash) const;  // marks of one run, without its times
+
+  // Tables of one analysis of one case; every finding's `run` is the hash.
+  bool has_findings(const std::string& hash) const;
+  void write_findings(const std::string& hash, const std::vector<Finding>& findings) const;
+  // Of all analyses; a damaged file is named in `refused`.
+  struct Findings {
+    std::vector<Finding> findings;
+    std::vector<RefusedLine> refused;
+  };
+  Findings read_all_findings() const;
+
+  // Marks and times, sorted by run; damaged lines, and records under another run's name, are in `refused`.
   RecordLines read_all_records() const;
 
   // results.jsonl from the files of the runs. Returns the lines that were refused and left out.

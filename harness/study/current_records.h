@@ -1,4 +1,5 @@
-// Records of a store that belong to scenes as they are now, by this build.
+// Records of a store that belong to scenes as they are now, by this build: those whose name is the content hash of the
+// scene and their own contender. Contenders which the case no longer lists, or --set added, count as well.
 #pragma once
 
 #include <vector>
@@ -9,8 +10,9 @@ namespace mb {
 
 struct StoredResults {
   std::vector<Record> records;
-  size_t n_other = 0;                // records of other settings, scenes or builds: left out
-  std::vector<RefusedLine> refused;  // damaged lines
+  std::vector<Finding> findings;
+  size_t n_other = 0;                // records of other scenes or builds: left out
+  std::vector<RefusedLine> refused;  // damaged lines and files
 };
 StoredResults current_records(const Store& store, const std::vector<Scene>& scenes);
 

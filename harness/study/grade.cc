@@ -7,6 +7,15 @@
 
 namespace mb {
 
+namespace {
+
+std::vector<TruthKind> known_truths(const TruthSet& truth) {
+  if (truth.exact) return {TruthKind::finer, TruthKind::same_mesh, TruthKind::exact};
+  return {TruthKind::finer, TruthKind::same_mesh};
+}
+
+}  // namespace
+
 Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free,
                std::map<std::string, std::string> provenance)
     : scene_(scene), truth_(truth), provenance_(std::move(provenance)) {
@@ -23,13 +32,15 @@ Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free
       }
     }
   for (size_t i = 0; i < subjects_.size(); ++i)
-    for (const TruthKind kind : {TruthKind::same_mesh, TruthKind::finer})
+    for (const TruthKind kind : known_truths(truth_))
       bars_[{i, kind}] = error_bar(subjects_[i].metric, truth_, kind, subjects_[i].context);
 }
 
 std::vector<TruthKind> Grader::kinds(const Record& base) const {
   const bool same = base.contender.resolution == scene_.bodies.front().resolution;
-  return same ? std::vector{TruthKind::finer, TruthKind::same_mesh} : std::vector{TruthKind::finer};
+  std::vector<TruthKind> all = known_truths(truth_);
+  if (!same) std::erase(all, TruthKind::same_mesh);
+  return all;
 }
 
 Record Grader::blank(const Record& base, const Subject& subject, TruthKind kind) const {

@@ -1,6 +1,7 @@
 #include "harness/study/identity.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cases/scene/read_toml.h"
 #include "harness/store/hash.h"
@@ -18,6 +19,20 @@ std::string run_hash(const Scene& scene, const Contender& c) {
                                   canonical(scene), c.method, c.integrator, to_string(c.resolution), c.settings.modes,
                                   c.settings.time_step, c.settings.relative_tolerance, c.settings.load_tolerance,
                                   sources::reference, sources::contenders, sources::libraries));
+}
+
+// What an analysis looks at besides the scene: the study's mode counts and steppings.
+std::string analysis_hash(const Scene& scene, const std::string& analysis) {
+  std::string study;
+  for (const int r : scene.study.modes) study += fmt::format("{} ", r);
+  for (const Stepping& s : scene.study.steppings) {
+    study += fmt::format("\n{} {} {}", s.integrator, fmt::join(s.methods, ","), fmt::join(s.modes, ","));
+    for (const double x : s.time_steps) study += fmt::format(" {:a}", x);
+    for (const double x : s.relative_tolerances) study += fmt::format(" {:a}", x);
+  }
+  return content_hash(fmt::format("analysis {}\n{} {}\n{}\n{}\n{} {} {} {}\n", analysis, scene.name, scene.profile,
+                                  canonical(scene), study, sources::reference, sources::contenders, sources::analyses,
+                                  sources::libraries));
 }
 
 }  // namespace mb

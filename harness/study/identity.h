@@ -13,4 +13,7 @@ std::string truth_hash(const Scene& scene, const Resolution& resolution, double 
 // A contender's run and its marks, under the case's name and profile; all sources but those of reports count.
 std::string run_hash(const Scene& scene, const Contender& contender);
 
+// The tables of one analysis; all sources but those of reports count.
+std::string analysis_hash(const Scene& scene, const std::string& analysis);
+
 }  // namespace mb

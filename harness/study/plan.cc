@@ -2,14 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+
+#include "harness/study/identity.h"
+
 namespace mb {
 
 namespace {
 
-std::vector<Contender> reduced(const Scene& scene) {
+// One contender for each time step or tolerance.
+void append(std::vector<Contender>& all, Contender contender, const std::vector<double>& time_steps,
+            const std::vector<double>& tolerances) {
+  for (const double step : time_steps) {
+    contender.settings.time_step = step;
+    all.push_back(contender);
+  }
+  for (const double tolerance : tolerances) {
+    contender.settings.relative_tolerance = tolerance;
+    all.push_back(contender);
+  }
+}
+
+// The mode counts a method is run at: the one entry 0 where it takes none.
+std::vector<int> mode_counts(const Method& method, const std::vector<int>& modes) {
+  return method.takes_modes() ? modes : std::vector{0};
+}
+
+std::vector<Contender> closed_form(const Scene& scene, const Catalogue& catalogue) {
   std::vector<Contender> all;
   for (const auto& method : scene.study.methods)
-    for (const int modes : scene.study.modes) {
+    for (const int modes : mode_counts(catalogue.method(method), scene.study.modes)) {
       Contender contender{method, "exact", scene.bodies.front().resolution, {}};
       contender.settings.modes = modes;
       contender.settings.load_tolerance = scene.study.load_tolerance;
@@ -18,26 +41,30 @@ std::vector<Contender> reduced(const Scene& scene) {
   return all;
 }
 
-std::vector<Contender> full_order(const Rival& rival) {
-  std::vector<Contender> all;
+void append(std::vector<Contender>& all, const Stepping& stepping, const Scene& scene, const Catalogue& catalogue) {
+  for (const auto& method : stepping.methods)
+    for (const int modes : mode_counts(catalogue.method(method), stepping.modes)) {
+      Contender contender{method, stepping.integrator, scene.bodies.front().resolution, {}};
+      contender.settings.modes = modes;
+      append(all, contender, stepping.time_steps, stepping.relative_tolerances);
+    }
+}
+
+void append(std::vector<Contender>& all, const Rival& rival) {
   for (const auto& cells : rival.cells)
     for (const int degree : rival.degrees)
-      for (const double step : rival.time_steps) {
-        Contender contender{"full-order", rival.integrator, {degree, cells}, {}};
-        contender.settings.time_step = step;
-        all.push_back(contender);
-      }
-  return all;
+      append(all, {"full-order", rival.integrator, {degree, cells}, {}}, rival.time_steps, rival.relative_tolerances);
 }
 
 }  // namespace
 
-std::vector<Contender> contenders(const Scene& scene) {
-  std::vector<Contender> all = reduced(scene);
-  for (const Rival& rival : scene.study.rivals) {
-    const auto more = full_order(rival);
-    all.insert(all.end(), more.begin(), more.end());
-  }
+std::vector<Contender> contenders(const Scene& scene, const Catalogue& catalogue) {
+  std::vector<Contender> all = closed_form(scene, catalogue);
+  for (const Stepping& stepping : scene.study.steppings) append(all, stepping, scene, catalogue);
+  for (const Rival& rival : scene.study.rivals) append(all, rival);
+  std::stable_sort(all.begin(), all.end(), [](const Contender& a, const Contender& b) {
+    return std::pair(a.resolution.cells, a.resolution.degree) < std::pair(b.resolution.cells, b.resolution.degree);
+  });
   return all;
 }
 
@@ -50,11 +77,37 @@ std::vector<Contender> truth_contenders(const Scene& scene) {
   return all;
 }
 
+std::vector<Job> jobs(const Scene& scene, const Catalogue& catalogue) {
+  std::vector<Job> all;
+  for (const Contender& contender : contenders(scene, catalogue))
+    all.push_back({Job::Kind::marks, run_hash(scene, contender), label(contender), contender, ""});
+  for (const std::string& analysis : scene.study.analyses)
+    all.push_back({Job::Kind::analysis, analysis_hash(scene, analysis), analysis, {}, analysis});
+  return all;
+}
+
+std::optional<Shard> parse_shard(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto [slash, first] = std::from_chars(text.data(), end, shard.i);
+  if (first != std::errc() || slash == end || *slash != '/') return {};
+  const auto [rest, second] = std::from_chars(slash + 1, end, shard.n);
+  if (second != std::errc() || rest != end || shard.i < 1 || shard.i > shard.n) return {};
+  return shard;
+}
+
+std::vector<Job> part(const std::vector<Job>& jobs, const Shard& shard) {
+  std::vector<Job> mine;
+  for (size_t k = static_cast<size_t>(shard.i - 1); k < jobs.size(); k += static_cast<size_t>(shard.n))
+    mine.push_back(jobs[k]);
+  return mine;
+}
+
 bool is_full_order(const Contender& contender) { return contender.method == "full-order"; }
 
 std::string label(const Contender& c) {
   std::string text = c.method;
-  if (!is_full_order(c)) text += fmt::format(" r={}", c.settings.modes);
+  if (c.settings.modes > 0) text += fmt::format(" r={}", c.settings.modes);
   text += " " + c.integrator;
   if (c.settings.time_step > 0) text += fmt::format(" dt={:.3g} s", c.settings.time_step);
   if (c.integrator == "sundials") text += fmt::format(" rtol={:.0e}", c.settings.relative_tolerance);

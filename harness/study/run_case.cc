@@ -3,57 +3,68 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
+#include <set>
 
-#include "harness/measure.h"
+#include "harness/analysis/analysis.h"
 #include "harness/provenance.h"
+#include "harness/study/bench.h"
 #include "harness/study/current_records.h"
 #include "harness/study/front.h"
 #include "harness/study/identity.h"
-#include "reference/full_model.h"
 
 namespace mb {
 
 namespace {
 
-constexpr double cheap = 0.3;  // [s] runs below are timed with repeats at once; dearer ones only where it can matter
+// A blow-up is what a step beyond its limit does to an explicit integrator: a result, like any other error.
+bool is_failure(const Record& record, const Integrator& integrator) {
+  if (record.status == "ok" || record.status.starts_with("undefined")) return false;
+  return !(integrator.conditionally_stable && record.status == "not_finite");
+}
 
 class CaseRun {
  public:
   CaseRun(std::shared_ptr<const Scene> scene, const Catalogue& catalogue, const Store& store, const RunOptions& options,
           const Progress& progress)
-      : scene_(std::move(scene)), catalogue_(catalogue), store_(store), options_(options), progress_(progress) {}
+      : scene_(std::move(scene)),
+        catalogue_(catalogue),
+        store_(store),
+        options_(options),
+        progress_(progress),
+        bench_(scene_, catalogue) {}
 
   CaseOutcome run() {
-    std::vector<Contender> todo;
-    for (const Contender& contender : contenders(*scene_)) {
-      const bool stored = !options_.again && store_.has_records(run_hash(*scene_, contender));
+    std::vector<Job> todo;
+    for (const Job& job : part(jobs(*scene_, catalogue_), options_.shard)) {
+      const bool stored = !options_.again && is_stored(job);
       outcome_.n_stored += stored;
-      if (!stored) todo.push_back(contender);
+      if (!stored) todo.push_back(job);
     }
-    if (todo.empty() && front().empty()) return outcome_;
+    if (todo.empty() && untimed_front().empty()) return outcome_;
     const TruthSet truth = truths(scene_, catalogue_, store_, progress_);
     const Grader grader(*scene_, truth, free_bodies(), provenance(scene_->profile));
     mark_truths(grader, truth);
-    for (size_t i = 0; i < todo.size() && !stop(); ++i)
-      compete(grader, todo[i], fmt::format("[{}/{}]", i + 1, todo.size()));
+    for (size_t i = 0; i < todo.size() && !stop(); ++i) {
+      const std::string count = fmt::format("[{}/{}]", i + 1, todo.size());
+      if (todo[i].kind == Job::Kind::marks)
+        compete(grader, todo[i], count);
+      else
+        analyse(todo[i], truth, count);
+      ++outcome_.n_run;
+    }
     if (!outcome_.interrupted) time_the_front(grader);
     return outcome_;
   }
 
  private:
+  bool is_stored(const Job& job) const {
+    if (job.kind == Job::Kind::analysis) return store_.has_findings(job.hash);
+    return store_.has_records(job.hash) && (!options_.timed || store_.has_times(job.hash));
+  }
+
   bool stop() {
     outcome_.interrupted = outcome_.interrupted || (options_.interrupted && options_.interrupted());
     return outcome_.interrupted;
-  }
-
-  const Model& model(const Resolution& resolution) {
-    if (!model_ || !(model_resolution_ == resolution)) {
-      model_.reset();  // one at a time: they are the largest things here
-      assembly_ = seconds([&] { model_ = std::make_unique<Model>(build_model(scene_, &resolution)); });
-      model_resolution_ = resolution;
-    }
-    return *model_;
   }
 
   std::vector<bool> free_bodies() const {
@@ -77,80 +88,102 @@ class CaseRun {
     store_.write_records(same_mesh.run, grader.marks(same_mesh, truth.loose));
   }
 
-  void compete(const Grader& grader, const Contender& contender, const std::string& count) {
-    Record record = base(contender);
+  void compete(const Grader& grader, const Job& job, const std::string& count) {
+    Record record = base(job.contender);
     try {
-      std::unique_ptr<Prepared> prepared;
-      const Model& mesh = model(contender.resolution);
-      const double offline = assembly_ + seconds([&] { prepared = prepare(mesh, contender); });
-      record.modes_used = prepared->modes_used();
-      record.n_unknowns = prepared->n_unknowns();
-      const double estimate = seconds([&] {
-        store_.write_trajectory(record.run, prepared->simulate({sample_times(*scene_), true}));
-      });
-      const Trajectory stored = store_.read_trajectory(record.run);  // marks come from what is stored, nothing else
-      std::vector<Record> records = grader.marks(record, stored);
-      if (contender.integrator == "exact")
-        records.push_back(grader.number(record, "load-error", "-", prepared->load_error(), std::nan("")));
-      if (stored.status == Status::ok) {
-        const Timing online = time_online(*prepared, estimate < cheap);
-        records.push_back(grader.number(record, "offline-time", "s", offline, std::nan("")));
-        records.push_back(grader.number(record, "online-time", "s", online.median, online.spread));
-      } else {
-        ++outcome_.n_failed;
+      const ReadyContender ready = bench_.prepare(job.contender);
+      record.modes_used = ready.prepared->modes_used();
+      record.n_unknowns = ready.prepared->n_unknowns();
+      const bool again = options_.again || !store_.has_records(record.run);
+      std::vector<Record> records = again ? marks(grader, record, *ready.prepared) : stored_marks(record.run);
+      if (again) store_.write_records(record.run, records);
+      const Integrator& integrator = catalogue_.integrator(job.contender.integrator);
+      outcome_.n_failed += std::ranges::any_of(records, [&](const Record& r) { return is_failure(r, integrator); });
+      if (options_.timed) {
+        // What gave no answer has no time; its file says that it was looked at.
+        const bool answered = std::ranges::any_of(records, [](const Record& r) { return r.status == "ok"; });
+        const auto times = answered ? bench_.times(grader, record, ready, cheap) : std::vector<Record>();
+        store_.write_times(record.run, times);
+        std::ranges::copy(times, std::back_inserter(records));
       }
-      store_.write_records(record.run, records);
-      finish(count, records);
+      finish(count, job, records);
     } catch (const StoreError&) {
       throw;  // a store that cannot be written is not the contender's failure
     } catch (const std::exception& error) {
       store_.write_records(record.run, grader.failure(record, std::string("failed: ") + error.what()));
+      if (options_.timed) store_.write_times(record.run, {});
       ++outcome_.n_failed;
-      progress_(fmt::format("{} {} · {} · failed: {}", count, scene_->name, label(contender), error.what()));
+      progress_(fmt::format("{} {} · {} · failed: {}", count, scene_->name, job.label, error.what()));
     }
-    ++outcome_.n_run;
   }
 
-  std::unique_ptr<Prepared> prepare(const Model& mesh, const Contender& contender) const {
-    return catalogue_.method(contender.method)
-        .prepare(mesh, contender.settings, catalogue_.integrator(contender.integrator));
+  // Marks come from what is stored, nothing else.
+  std::vector<Record> marks(const Grader& grader, const Record& record, const Prepared& prepared) const {
+    store_.write_trajectory(record.run, prepared.simulate({.t = sample_times(*scene_)}));
+    std::vector<Record> records = grader.marks(record, store_.read_trajectory(record.run));
+    if (record.contender.integrator == "exact")
+      records.push_back(grader.number(record, "load-error", "-", prepared.load_error(), std::nan("")));
+    return records;
   }
 
-  // Online: load projection, stepping and reconstruction of displacements at the frame times.
-  Timing time_online(const Prepared& prepared, bool repeat) const {
-    const Sampling frames{frame_times(*scene_), false};
-    const auto online = [&] { prepared.simulate(frames); };
-    if (repeat) return measure(online);
-    return {seconds(online), std::numeric_limits<double>::quiet_NaN(), 1};
-  }
+  std::vector<Record> stored_marks(const std::string& run) const { return store_.read_records_of(run).records; }
 
-  void finish(const std::string& count, const std::vector<Record>& records) const {
-    double error = std::nan(""), time = std::nan("");
+  void finish(const std::string& count, const Job& job, const std::vector<Record>& records) const {
+    double error = std::nan("");
+    std::string time;
     for (const Record& r : records) {
       if (r.metric == "displacement-error" && r.truth == "finer") error = r.value;
-      if (r.metric == "online-time") time = r.value;
+      if (r.metric == "online-time") time = fmt::format(" · {:.3g} s", r.value);
     }
-    progress_(fmt::format("{} {} · {} · error {:.2e} · {:.3g} s", count, scene_->name, label(records.front().contender),
-                          error, time));
+    progress_(fmt::format("{} {} · {} · error {:.2e}{}", count, scene_->name, job.label, error, time));
   }
 
-  std::vector<std::string> front() const { return dear_front(current_records(store_, {*scene_}).records); }
+  void analyse(const Job& job, const TruthSet& truth, const std::string& count) {
+    std::vector<Finding> findings;
+    const AnalysisContext context{scene_, catalogue_, truth,
+                                  [this](const Resolution& r) -> const Model& { return bench_.model(r); }};
+    std::string said;
+    try {
+      const double time = seconds([&] { findings = analysis(job.analysis).run(context); });
+      said = fmt::format("{} tables · {:.1f} s", findings.size(), time);
+    } catch (const std::exception& error) {
+      said = std::string("failed: ") + error.what();
+      findings.assign(1, {});
+      findings[0].analysis = findings[0].name = findings[0].title = job.analysis;
+      findings[0].note = said;
+      ++outcome_.n_failed;
+    }
+    for (Finding& finding : findings) {
+      finding.run = job.hash;
+      finding.case_name = scene_->name;
+      finding.profile = scene_->profile;
+      finding.provenance = provenance(scene_->profile);
+    }
+    store_.write_findings(job.hash, findings);
+    progress_(fmt::format("{} {} · {} · {}", count, scene_->name, job.label, said));
+  }
+
+  std::vector<std::string> untimed_front() const {
+    if (!options_.timed) return {};
+    const auto front = dear_front(current_records(store_, {*scene_}).records);
+    if (options_.shard.whole()) return front;
+    std::set<std::string> mine;
+    for (const Job& job : part(jobs(*scene_, catalogue_), options_.shard)) mine.insert(job.hash);
+    std::vector<std::string> left;
+    std::ranges::copy_if(front, std::back_inserter(left), [&](const auto& run) { return mine.contains(run); });
+    return left;
+  }
 
   // Repeats the time of dear full-order runs that may be the cheapest at some error.
   void time_the_front(const Grader& grader) {
-    const std::vector<Record> all = current_records(store_, {*scene_}).records;
-    for (const std::string& run : dear_front(all)) {
+    for (const std::string& run : untimed_front()) {
       if (stop()) return;
-      std::vector<Record> records;
-      for (const Record& r : all)
-        if (r.run == run) records.push_back(r);
-      const Contender contender = records.front().contender;
-      progress_(fmt::format("{} · timing {}", scene_->name, label(contender)));
-      const auto prepared = prepare(model(contender.resolution), contender);
-      const Timing online = time_online(*prepared, true);
-      for (Record& r : records)
-        if (r.metric == "online-time") r = grader.number(r, r.metric, r.unit, online.median, online.spread);
-      store_.write_records(run, records);
+      const Record marked = stored_marks(run).front();
+      Record record = base(marked.contender);
+      record.modes_used = marked.modes_used;
+      record.n_unknowns = marked.n_unknowns;
+      progress_(fmt::format("{} · timing {}", scene_->name, label(record.contender)));
+      store_.write_times(run, bench_.times(grader, record, bench_.prepare(record.contender), any_time));
     }
   }
 
@@ -159,13 +192,17 @@ class CaseRun {
   const Store& store_;
   const RunOptions& options_;
   const Progress& progress_;
-  std::unique_ptr<Model> model_;
-  Resolution model_resolution_{};
-  double assembly_ = 0;  // [s] of the model at hand
+  Bench bench_;
   CaseOutcome outcome_;
 };
 
 }  // namespace
+
+bool all_stored(const Scene& scene, const Catalogue& catalogue, const Store& store) {
+  return std::ranges::all_of(jobs(scene, catalogue), [&](const Job& job) {
+    return job.kind == Job::Kind::analysis ? store.has_findings(job.hash) : store.has_records(job.hash);
+  });
+}
 
 CaseOutcome run_case(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
                      const RunOptions& options, const Progress& progress) {

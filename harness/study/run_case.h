@@ -1,4 +1,8 @@
-// One case from scene to records: truths, then every contender, then the times that decide.
+// One case from scene to records: truths, then every contender and analysis, then the times that decide.
+//
+//   truths  ->  jobs (marks of contenders, tables of analyses)  ->  times, alone
+//
+// Jobs may be spread over processes and machines (Shard); times are taken when nothing else of ours runs.
 #pragma once
 
 #include "harness/study/grade.h"
@@ -8,16 +12,21 @@ namespace mb {
 
 struct RunOptions {
   bool again = false;                 // run also what the store holds
+  bool timed = true;                  // whether times are taken
+  Shard shard;                        // which part of the jobs
   std::function<bool()> interrupted;  // asked between runs; what is finished is kept
 };
 
 struct CaseOutcome {
-  int n_run = 0, n_stored = 0, n_failed = 0;  // contenders computed now, found in the store, failed
+  int n_run = 0, n_stored = 0, n_failed = 0;  // jobs computed now, found in the store, failed
   bool interrupted = false;
 };
 
-// Records and trajectories go to the store, one file a run. Throws where the truth fails; a contender's failure is a
-// record with a status. Timed parts run alone: nothing else is started here while they do.
+// Whether the store holds every mark and table of the scene.
+bool all_stored(const Scene& scene, const Catalogue& catalogue, const Store& store);
+
+// Records, trajectories, times and tables go to the store, one file each. Throws where the truth fails; a contender's
+// failure is a record with a status, an analysis' failure a table whose note says so.
 CaseOutcome run_case(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
                      const RunOptions& options, const Progress& progress);
 

@@ -7,8 +7,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "cases/exact/exact.h"
 #include "harness/measure.h"
 #include "harness/study/identity.h"
+#include "modal/bases/eigenmodes.h"
 #include "reference/full_model.h"
 
 namespace mb {
@@ -59,7 +61,7 @@ class TruthRuns {
     }
   }
   Trajectory compute(const Job& job) const {
-    const Model model = build_model(scene_, &job.resolution);
+    const Model model = make_model(scene_, job.resolution);
     Settings settings;
     settings.relative_tolerance = job.tolerance;
     return catalogue_.method("full-order")
@@ -80,6 +82,17 @@ class TruthRuns {
 
 }  // namespace
 
+Model make_model(const std::shared_ptr<const Scene>& scene, const Resolution& resolution) {
+  return build_model(scene, &resolution, [](const System& system, int n_elastic) {
+    return lowest_modes(system, n_elastic, default_shift(system));
+  });
+}
+
+const Trajectory& TruthSet::of(TruthKind kind) const {
+  if (kind == TruthKind::exact && !exact) throw std::logic_error("the case names no exact solution");
+  return kind == TruthKind::finer ? finer : kind == TruthKind::same_mesh ? same_mesh : *exact;
+}
+
 TruthSet truths(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
                 const Progress& progress) {
   TruthSet set;
@@ -92,10 +105,16 @@ TruthSet truths(const std::shared_ptr<const Scene>& scene, const Catalogue& cata
   runs.run({mesh, t.relative_tolerance / 100, &set.same_mesh});
   runs.run({mesh, t.relative_tolerance, &set.loose});
   lane.get();
+  if (!t.exact.empty()) {
+    const ExactSolution& solution = exact_solution(t.exact);
+    set.exact = solution.at(*scene, evaluation_points(*scene, scene->bodies.front()), sample_times(*scene));
+    set.exact_bar = solution.error_bar;
+  }
   return set;
 }
 
 double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, const MetricContext& context) {
+  if (kind == TruthKind::exact) return truth.exact_bar;
   const double time = distance(metric, truth.loose, truth.same_mesh, context);
   return kind == TruthKind::same_mesh ? time : time + distance(metric, truth.coarser, truth.finer, context);
 }

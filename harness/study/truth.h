@@ -1,13 +1,16 @@
 // The truth of a case and how far it may be off:
 //
-//   error bar of a metric = distance(finer, coarser) + distance(rtol, rtol/100 on the body's mesh)      against `finer`
-//                           distance(rtol, rtol/100 on the body's mesh)                                  against
-//                           `same_mesh`
+//   error bar of a metric =
+//     against `finer`       distance(finer, coarser) + distance(rtol, rtol/100 on the body's mesh)
+//     against `same_mesh`   distance(rtol, rtol/100 on the body's mesh)
+//     against `exact`       the relative error of the closed form's series
 //
-// Distances are taken in the metric's own measure. Truths are full order, stepped by SUNDIALS, and cached in the store.
+// Distances are taken in the metric's own measure. Truths but the exact one are full order, stepped by SUNDIALS, and
+// cached in the store.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "cases/contract/record.h"
@@ -20,10 +23,15 @@ namespace mb {
 struct TruthSet {
   Trajectory finer, coarser;    // scene.truth.finer and its neighbour, at the scene's tolerance
   Trajectory same_mesh, loose;  // the body's mesh at a hundredth of the tolerance, and at the tolerance itself
-  const Trajectory& of(TruthKind kind) const { return kind == TruthKind::finer ? finer : same_mesh; }
+  std::optional<Trajectory> exact;  // where the scene names a closed form
+  double exact_bar = 0;             // [-] relative, of its series
+  const Trajectory& of(TruthKind kind) const;  // throws std::logic_error where there is none of that kind
 };
 
 using Progress = std::function<void(const std::string& line)>;
+
+// Full-order models as the suite makes them: where a scene states damping ratios, with the modes of the mesh itself.
+Model make_model(const std::shared_ptr<const Scene>& scene, const Resolution& resolution);
 
 // Reads each from the store or computes it, two at a time. Throws std::runtime_error where an integration fails;
 // damaged files of the store are reported through progress and computed again.

@@ -72,7 +72,8 @@ DiscRule disc_rule(const Shape& shape, const Patch& patch) {
       rule.normals.col(n) = p.normal;
       rule.weights[n++] = weight(patch, p.x) * p.stretch * pi * a * a * radial.w[i] / n_theta;
     }
-  if (n == 0) throw std::invalid_argument("nothing of the disc lies on face '" + patch.face + "'");
+  if (!(rule.weights.head(n).sum() > 0))
+    throw std::invalid_argument("nothing of the disc lies on face '" + patch.face + "'");
   return {rule.points.leftCols(n), rule.weights.head(n), rule.normals.leftCols(n)};
 }
 

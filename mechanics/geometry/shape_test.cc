@@ -140,6 +140,7 @@ TEST(DiscRule, WhatHangsOverTheRimIsLeftOut) {
   EXPECT_LT(half, 0.5 * whole);
   EXPECT_GT(half, 0.35 * whole);
   EXPECT_THROW(disc_rule(can, {"z-max", Disc{{5, 0, 0.1}, 0.03}}), std::invalid_argument);
+  EXPECT_THROW(disc_rule(Sphere{0.07}, {"surface", Disc{{5, 0, 0}, 0.03}}), std::invalid_argument);
   EXPECT_THROW(disc_rule(can, {"z-max", {}}), std::invalid_argument);
 }
 

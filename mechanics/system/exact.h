@@ -2,7 +2,7 @@
 //
 //   q_i'' + c_i q_i' + lambda_i q_i = phi_i^T F s(t),   c_i = alpha + beta lambda_i (0 for rigid modes)
 //
-// on each segment of s(t). Systems with M = I and diagonal K skip the eigenproblem.
+// on each segment of s(t), or its exact means over time. Systems with M = I and diagonal K skip the eigenproblem.
 #pragma once
 
 #include <memory>

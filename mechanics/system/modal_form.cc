@@ -3,31 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "mechanics/system/symmetric_product.h"
 
 namespace mb {
 namespace {
 
 constexpr Index largest_dense = 6000;
-
-void check_sizes(const System& system) {
-  const Index n = system.M.rows();
-  const bool square = system.M.cols() == n && system.K.rows() == n && system.K.cols() == n;
-  const bool loads =
-      system.F.cols() == static_cast<Index>(system.s.size()) && (system.s.empty() || system.F.rows() == n);
-  const bool states = system.u0.size() == n && system.v0.size() == n;
-  const bool rigid = system.R.cols() == 0 || (system.R.rows() == n && system.R.cols() <= n);
-  if (!square || !loads || !states || !rigid)
-    throw std::invalid_argument(fmt::format("system of {} unknowns: sizes of M, K, F, s, u0, v0, R disagree", n));
-}
-
-bool is_diagonal(const SparseMatrix& A) {
-  for (Index j = 0; j < A.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry)
-      if (entry.row() != entry.col() && entry.value() != 0) return false;
-  return true;
-}
+constexpr double decoupled = 1e-8;  // [-] coupling by damping that counts as rounding: modes are known to about that
 
 // Largest |lambda| of a rigid mode. Theory is 0, a dense solver leaves a few eps lambda_max; 1e-9 of the lowest elastic
 // eigenvalue is a rigid mode whatever the solver. Throws where the number of rigid modes is not n_rigid.
@@ -46,16 +32,59 @@ double rigid_bound(VectorXd lambda, Index n_rigid) {
   return bound;
 }
 
-ModalForm of_eigenvalues(VectorXd lambda, MatrixXd Phi, const System& system) {
-  const double bound = rigid_bound(lambda, system.R.cols());
-  VectorXd c = VectorXd::Zero(lambda.size());
-  for (Index i = 0; i < lambda.size(); ++i) {
-    if (lambda[i] <= bound)
-      lambda[i] = 0;
-    else
-      c[i] = system.damping.alpha + system.damping.beta * lambda[i];
+// Phi^T C Phi as far as it is diagonal, and the largest entry that is not, relative to the larger of its diagonals.
+struct ModalCoefficients {
+  VectorXd c;
+  double coupling = 0;  // [-]
+  Index row = 0, column = 0;
+};
+
+// lambda exactly 0 for rigid modes. G = Phi^T W: n x number of modes with ratios of their own.
+ModalCoefficients coefficients(const VectorXd& lambda, const MatrixXd& G, const System& system) {
+  const auto [alpha, beta] = system.damping;
+  const VectorXd& d = system.modal_damping.d;
+  ModalCoefficients result{(lambda.array() > 0).select(alpha + beta * lambda.array(), 0)};
+  if (d.size() == 0) return result;
+  const VectorXd own = G.cwiseAbs2() * d, size = result.c + G.cwiseAbs2() * d.cwiseAbs();
+  const double rounding = 1e-13 * d.cwiseAbs().maxCoeff();  // of an entry of G: a few hundred eps
+  // Ratios may take Rayleigh damping back: what is left below 0 is then rounding.
+  result.c += own;
+  for (Index i = 0; i < lambda.size(); ++i)
+    if ((result.c[i] < 0 && -result.c[i] <= decoupled * size[i]) ||
+        (lambda[i] == 0 && std::abs(result.c[i]) <= rounding))
+      result.c[i] = 0;
+  VectorXd column(lambda.size());
+  for (Index j = 0; j < lambda.size(); ++j) {
+    column.noalias() = G * d.cwiseProduct(G.row(j).transpose());
+    for (Index i = j + 1; i < lambda.size(); ++i) {
+      const double coupling = std::abs(column[i]) / std::max({result.c[i], result.c[j], rounding});
+      if (std::abs(column[i]) <= rounding || coupling <= result.coupling) continue;
+      result.coupling = coupling;
+      result.row = i;
+      result.column = j;
+    }
   }
-  return {std::move(lambda), std::move(c), std::move(Phi)};
+  return result;
+}
+
+// Within frequencies that repeat any M-orthonormal basis will do: takes the one in which the damping is diagonal.
+void rotate_repeated(const VectorXd& lambda, const System& system, MatrixXd& Phi) {
+  const auto& [W, d] = system.modal_damping;
+  constexpr double same = 1e-10;  // [-] of lambda: a hundred times what a dense solver leaves between equal ones
+  for (Index first = 0, count = 0; first < lambda.size(); first += count) {
+    for (count = 1; first + count < lambda.size(); ++count)
+      if (lambda[first] == 0 || lambda[first + count] - lambda[first] > same * lambda[first]) break;
+    if (count == 1) continue;
+    auto repeated = Phi.middleCols(first, count);
+    const MatrixXd G = repeated.transpose() * W;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(G * d.asDiagonal() * G.transpose());
+    repeated = (repeated * solver.eigenvectors()).eval();
+  }
+}
+
+VectorXd without_rounding(VectorXd lambda, Index n_rigid) {
+  const double bound = rigid_bound(lambda, n_rigid);
+  return (lambda.array() <= bound).select(0, lambda);
 }
 
 ModalForm dense(const System& system) {
@@ -74,15 +103,28 @@ ModalForm dense(const System& system) {
     auto elastic = Phi.rightCols(n - n_rigid);
     elastic -= system.R * ((system.M * system.R).transpose() * elastic);
   }
-  return of_eigenvalues(solver.eigenvalues(), std::move(Phi), system);
+  VectorXd lambda = without_rounding(solver.eigenvalues(), n_rigid);
+  if (system.modal_damping.d.size() > 0) rotate_repeated(lambda, system, Phi);
+  const MatrixXd G =
+      system.modal_damping.d.size() > 0 ? MatrixXd(Phi.transpose() * system.modal_damping.W) : MatrixXd();
+  ModalCoefficients damping = coefficients(lambda, G, system);
+  if (damping.coupling > decoupled)
+    throw std::runtime_error(fmt::format(
+        "the damping couples modes {} and {} by {:.3g} of the larger of their coefficients: no closed form (modes with "
+        "ratios of their own are to be modes of this system)",
+        damping.column, damping.row, damping.coupling));
+  return {std::move(lambda), std::move(damping.c), std::move(Phi)};
 }
 
 }  // namespace
 
 ModalForm modal_form(const System& system) {
-  check_sizes(system);
-  if (is_diagonal(system.M) && is_diagonal(system.K) && (VectorXd(system.M.diagonal()).array() == 1).all())
-    return of_eigenvalues(system.K.diagonal(), MatrixXd(), system);
+  require_consistent(system);
+  if (is_diagonal(system.M) && is_diagonal(system.K) && (VectorXd(system.M.diagonal()).array() == 1).all()) {
+    VectorXd lambda = without_rounding(system.K.diagonal(), system.R.cols());
+    ModalCoefficients damping = coefficients(lambda, system.modal_damping.W, system);
+    if (damping.coupling <= decoupled) return {std::move(lambda), std::move(damping.c), MatrixXd()};
+  }
   return dense(system);
 }
 

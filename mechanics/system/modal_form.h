@@ -1,8 +1,9 @@
 // All modes of a small system by a dense solver:
 //
-//   K Phi = M Phi diag(lambda),   Phi^T M Phi = I,   Phi^T C Phi = diag(c),   c = alpha + beta lambda (rigid modes: 0)
+//   K Phi = M Phi diag(lambda),   Phi^T M Phi = I,   Phi^T C Phi = diag(c)
 //
-// The rigid modes are the system's own, R, with lambda exactly 0; the elastic ones are made M-orthogonal to them.
+// with c = alpha + beta lambda, 0 for rigid modes, and what modal damping adds, phi^T W diag(d) W^T phi. The rigid
+// modes are the system's own, R, with lambda exactly 0; the elastic ones are made M-orthogonal to them.
 #pragma once
 
 #include "mechanics/system/system.h"
@@ -16,7 +17,8 @@ struct ModalForm {
 };
 
 // Throws std::invalid_argument where sizes disagree, M is not SPD, or a dense eigenproblem would exceed n = 6000;
-// std::runtime_error where the eigenvalues that are zero to rounding are not as many as R has columns.
+// std::runtime_error where the eigenvalues that are zero to rounding are not as many as R has columns, and where modal
+// damping couples modes by more than 1e-8 of the larger of their coefficients, naming the largest coupling.
 ModalForm modal_form(const System& system);
 
 }  // namespace mb

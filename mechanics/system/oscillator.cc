@@ -7,7 +7,10 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
+
+#include "mechanics/system/exp_difference.h"
 
 namespace mb {
 namespace {
@@ -27,18 +30,19 @@ constexpr std::array<double, 40> inverse_factorial = [] {
 
 constexpr double series_radius = 2;  // largest |z| of the Taylor series: 30 terms, and P, R lose at most a digit
 
-// phi1[z1, z2] and phi2[z1, z2] with tau = z1 + z2, delta = z1 z2, both |z| <= series_radius:
+// phi1, phi2 and phi3 of [z1, z2] with tau = z1 + z2, delta = z1 z2, both |z| <= series_radius:
 // phi_k[z1, z2] = sum_n h_n / (n + 1 + k)!, where h_n, the complete symmetric polynomials of z1 and z2, obey
 // h_n = tau h_{n-1} - delta h_{n-2}. Real in every regime, and no difference of nearby numbers is formed.
 struct Phi {
-  double phi1, phi2;
+  double phi1, phi2, phi3;
 };
 Phi phi_series(double tau, double delta) {
   double h = 1, h_before = 0;
-  Phi sum{0, 0};
-  for (std::size_t n = 0; n + 3 < inverse_factorial.size(); ++n) {
+  Phi sum{0, 0, 0};
+  for (std::size_t n = 0; n + 4 < inverse_factorial.size(); ++n) {
     sum.phi1 += h * inverse_factorial[n + 2];
     sum.phi2 += h * inverse_factorial[n + 3];
+    sum.phi3 += h * inverse_factorial[n + 4];
     if ((std::abs(h) + std::abs(h_before)) * inverse_factorial[n + 2] < 1e-19) break;
     const double h_next = tau * h - delta * h_before;
     h_before = h;
@@ -47,18 +51,28 @@ Phi phi_series(double tau, double delta) {
   return sum;
 }
 
-// phi1 and phi2 at one real z <= 0
+// phi1, phi2 and phi3 at one real z <= 0
 Phi phi_at(double z) {
-  if (z == 0) return {1, 0.5};
+  if (z == 0) return {1, 1.0 / 2, 1.0 / 6};
   const double phi1 = std::expm1(z) / z;
-  if (z < -1) return {phi1, (phi1 - 1) / z};
-  return {phi1, phi_series(z, 0).phi1};  // phi1[z, 0] = phi2(z)
+  if (z < -1) return {phi1, (phi1 - 1) / z, ((phi1 - 1) / z - 0.5) / z};
+  const Phi with_zero = phi_series(z, 0);  // phi_k[z, 0] = phi_{k+1}(z)
+  return {phi1, with_zero.phi1, with_zero.phi2};
 }
 
-// P and R of real roots z1 >= 2 z2, z2 < -series_radius: the terms differ by a factor of 1.5 at least.
+// Real roots z1 >= 2 z2, z2 < -series_radius: the terms differ by a factor of 1.5 at least.
 Phi phi_of_far_roots(double z1, double z2) {
   const Phi a = phi_at(z1), b = phi_at(z2);
-  return {(a.phi1 - b.phi1) / (z1 - z2), (a.phi2 - b.phi2) / (z1 - z2)};
+  return {(a.phi1 - b.phi1) / (z1 - z2), (a.phi2 - b.phi2) / (z1 - z2), (a.phi3 - b.phi3) / (z1 - z2)};
+}
+
+// The divided differences where they are needed. Elsewhere k P = 1 - C, k R = t - S - c P and k T = t^2/2 - P - c R are
+// free of cancellation: omega t >= sqrt(2).
+std::optional<Phi> phi_where_needed(const Roots& r, double t) {
+  const double z_fast = (r.underdamped ? r.omega : r.fast) * t;
+  if (z_fast <= series_radius) return phi_series(-2 * r.h * t, r.k * t * t);
+  if (2 * r.slow < r.fast) return phi_of_far_roots(-r.slow * t, -r.fast * t);
+  return std::nullopt;
 }
 
 Response free_underdamped(const Roots& r, double t) {
@@ -74,50 +88,15 @@ Response free_overdamped(const Roots& r, double t) {
   return {slow + r.slow * S, -r.k * S, S, std::exp(-r.fast * t) - r.slow * S, 0, 0};
 }
 
-// sinh(w)/w for |w| <= 1/2
-Complex sinhc(Complex w) {
-  const Complex x = w * w;
-  Complex sum = 0;
-  for (int n = 8; n >= 0; --n) sum = sum * x + inverse_factorial[static_cast<std::size_t>(2 * n + 1)];
-  return sum;
-}
-
-Complex exp_difference(Complex a, Complex b) {  // exp[a, b]
-  if (std::norm(a - b) > 1) return (std::exp(a) - std::exp(b)) / (a - b);
-  return std::exp(0.5 * (a + b)) * sinhc(0.5 * (a - b));
-}
-
-// exp[a, b, c] of nodes at most 1 apart: Taylor about their mean, where the complete symmetric polynomials obey
-// h_n = -e2 h_{n-2} + e3 h_{n-3} (e1 = 0)
-Complex exp_of_near_nodes(Complex a, Complex b, Complex c) {
-  const Complex mean = (a + b + c) / 3.0;
-  const Complex x = a - mean, y = b - mean, z = c - mean;
-  const Complex e2 = x * y + y * z + z * x, e3 = x * y * z;
-  Complex h0 = 1, h1 = 0, h2 = 0, sum = 0;  // h_n, h_{n-1}, h_{n-2}
-  for (std::size_t n = 0; n < 22; ++n) {    // |h_n| <= (n+2)(n+1)/2 (2/3)^n: the rest is below 1e-24
-    sum += h0 * inverse_factorial[n + 2];
-    const Complex h_next = -e2 * h1 + e3 * h2;
-    h2 = h1;
-    h1 = h0;
-    h0 = h_next;
-  }
-  return std::exp(mean) * sum;
-}
-
-// exp[a, b, c]: divided by the largest separation, so that nothing cancels by more than that separation.
-Complex exp_of_three_nodes(Complex a, Complex b, Complex c) {
-  const double ab = std::norm(a - b), bc = std::norm(b - c), ca = std::norm(c - a);
-  if (std::max({ab, bc, ca}) <= 1) return exp_of_near_nodes(a, b, c);
-  if (ab >= bc && ab >= ca) std::swap(b, c);
-  if (bc > ab && bc >= ca) std::swap(a, b);
-  return (exp_difference(a, b) - exp_difference(b, c)) / (a - c);
+std::array<Complex, 3> nodes(const Roots& r, double Omega, double t) {
+  if (!r.underdamped) return {Complex(-r.slow * t), Complex(-r.fast * t), Complex(0, Omega * t)};
+  return {Complex(-r.h, r.mu) * t, Complex(-r.h, -r.mu) * t, Complex(0, Omega * t)};
 }
 
 // X and V = X' near resonance or at small t. V t = (z e^z)[x, y, z] = exp[x, y] + z exp[x, y, z] with z the least node.
 HarmonicResponse near_resonance(const Roots& r, double Omega, double t) {
-  std::array<Complex, 3> z = {Complex(-r.h, r.mu) * t, Complex(-r.h, -r.mu) * t, Complex(0, Omega * t)};
-  if (!r.underdamped) z = {Complex(-r.slow * t), Complex(-r.fast * t), Complex(0, Omega * t)};
-  const Complex X = exp_of_three_nodes(z[0], z[1], z[2]);
+  auto z = nodes(r, Omega, t);
+  const Complex X = exp_difference(z[0], z[1], z[2]);
   std::sort(z.begin(), z.end(), [](Complex a, Complex b) { return std::norm(a) > std::norm(b); });
   const Complex V = exp_difference(z[0], z[1]) + z[2] * X;
   return {t * t * X.real(), t * t * X.imag(), t * V.real(), t * V.imag()};
@@ -145,20 +124,23 @@ Roots roots(const Oscillator& oscillator) {
   return {oscillator, std::sqrt(oscillator.k), std::fma(h, h, -oscillator.k)};
 }
 
-// Where the series does not reach, k P = 1 - C and k R = t - S - c P are free of cancellation: omega t >= sqrt(2).
 Response response(const Roots& r, double t) {
   Response x = r.underdamped ? free_underdamped(r, t) : free_overdamped(r, t);
-  const double c = 2 * r.h, z_fast = (r.underdamped ? r.omega : r.fast) * t;
-  if (z_fast <= series_radius || 2 * r.slow < r.fast) {
-    const Phi phi =
-        z_fast <= series_radius ? phi_series(-c * t, r.k * t * t) : phi_of_far_roots(-r.slow * t, -r.fast * t);
-    x.P = t * t * phi.phi1;
-    x.R = t * t * t * phi.phi2;
+  if (const auto phi = phi_where_needed(r, t)) {
+    x.P = t * t * phi->phi1;
+    x.R = t * t * t * phi->phi2;
   } else {
     x.P = (1 - x.C) / r.k;
-    x.R = (t - x.S - c * x.P) / r.k;
+    x.R = (t - x.S - 2 * r.h * x.P) / r.k;
   }
   return x;
+}
+
+Response integral(const Roots& r, const Response& x, double t) {
+  const double c = 2 * r.h, half = t * t / 2;
+  const auto phi = phi_where_needed(r, t);
+  const double T = phi ? half * (2 * t * t * phi->phi3) : (half - x.P - c * x.R) / r.k;
+  return {x.S + c * x.P, -r.k * x.P, x.P, x.S, x.R, T};
 }
 
 Response response(const Oscillator& oscillator, double t) { return response(roots(oscillator), t); }
@@ -184,6 +166,14 @@ HarmonicResponse harmonic_response(const Roots& r, const Response& free, double 
 HarmonicResponse harmonic_response(const Oscillator& oscillator, double Omega, double t) {
   const Roots r = roots(oscillator);
   return harmonic_response(r, response(r, t), Omega, t);
+}
+
+// int X = t^3 exp[z1, z2, i Omega t, 0] = (X - P) / (i Omega), where the last two nodes are not too near.
+HarmonicResponse integral(const Roots& r, const Response& free, const HarmonicResponse& wave, double Omega, double t) {
+  if (std::abs(Omega * t) >= 1) return {wave.q_sin / Omega, (free.P - wave.q_cos) / Omega, wave.q_cos, wave.q_sin};
+  const auto z = nodes(r, Omega, t);
+  const Complex Y = t * t * t * exp_difference(z[0], z[1], z[2], 0);
+  return {Y.real(), Y.imag(), wave.q_cos, wave.q_sin};
 }
 
 Phase propagate(const Roots& r, const Phase& state0, double f, const Segment& segment, double tau) {

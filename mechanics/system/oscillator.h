@@ -7,8 +7,9 @@
 //
 //   S = t exp[z1, z2],   P = t^2 phi1[z1, z2],   R = t^3 phi2[z1, z2],   X = t^2 exp[z1, z2, i Omega t]
 //
-// with phi1(z) = (e^z - 1)/z, phi2(z) = (phi1(z) - 1)/z. Pentland & Williams 1989, eqs. 8-11, cover constant loads away
-// from the critical case; divided differences of the exponential: McCurdy, Ng & Parlett 1984, Math. Comp. 43.
+// with phi1(z) = (e^z - 1)/z, phi2(z) = (phi1(z) - 1)/z. Integrals over time add another node 0: int R = T = t^4
+// phi3[z1, z2] and int X = t^3 exp[z1, z2, i Omega t, 0]. Pentland & Williams 1989, eqs. 8-11, cover constant loads
+// away from the critical case; divided differences: exp_difference.h.
 #pragma once
 
 #include "mechanics/history/history.h"
@@ -51,6 +52,11 @@ Roots roots(const Oscillator& oscillator);
 Response response(const Roots& roots, double t);
 // free: response(roots, t), which the caller has at hand.
 HarmonicResponse harmonic_response(const Roots& roots, const Response& free, double Omega, double t);
+
+// Integrals over [0, t] of all of them, for exact means. None is a difference of what nearly cancels.
+Response integral(const Roots& roots, const Response& at_t, double t);
+HarmonicResponse integral(const Roots& roots, const Response& free, const HarmonicResponse& at_t, double Omega,
+                          double t);
 
 struct Phase {
   double q, v;  // displacement and velocity of the mode

@@ -1,27 +1,40 @@
 // The operator of every implicit step, on one SPD factor:
 //
-//   A = M + gamma C + gamma^2 K,   S = (1 + gamma alpha) M + (gamma beta + gamma^2) K = L L^T
-//   A^-1 b = S^-1 b + gamma alpha / (1 + gamma alpha) R R^T b
+//   A = M + gamma C + kappa K = S + gamma V diag(e) V^T,   S = (1 + gamma alpha) M + (gamma beta + kappa) K = L L^T
+//   A^-1 b = S^-1 b - Y G Y^T b,   Y = S^-1 V,   G = (I + gamma diag(e) V^T Y)^-1 gamma diag(e)
 //
-// since A = S - gamma alpha M R R^T M, S^-1 M R = R / (1 + gamma alpha) and R^T M R = I (Sherman-Morrison-Woodbury).
+// with V diag(e) V^T the damping of low rank (rigid modes exempted, modes with ratios of their own;
+// low_rank_damping.h): Sherman, Morrison and Woodbury's formula. Since S^-1 M R = R / (1 + gamma alpha), the rigid
+// modes cost no solve.
 #pragma once
 
-#include "mechanics/algebra/cholesky.h"
+#include "mechanics/system/low_rank_damping.h"
+#include "mechanics/system/spd_factor.h"
 #include "mechanics/system/system.h"
 
 namespace mb {
 
 class Shifted {
  public:
-  Shifted(const System& system, double gamma);  // gamma [s] > 0; the system must outlive this
-  void set_gamma(double gamma);                 // refactors, keeping the symbolic factorisation
+  Shifted(const System& system, double gamma);  // kappa = gamma^2; gamma [s] > 0; the system must outlive this
+  Shifted(const System& system, double gamma, double kappa);  // gamma [s] > 0, kappa [s^2] >= 0
+  void set_gamma(double gamma);                               // kappa = gamma^2; refactors, keeping the symbolic part
   double gamma() const { return gamma_; }
-  void solve(const VectorXd& b, VectorXd& x) const;  // x = A^-1 b without allocation once x has its size
+  const LowRankDamping& low_rank() const { return low_rank_; }
+  bool is_diagonal() const { return factor_.is_diagonal(); }
+  // x = A^-1 b without allocation once x has its size; x may be b. One thread at a time.
+  void solve(const VectorXd& b, VectorXd& x) const;
 
  private:
+  SparseMatrix sparse_part(double gamma, double kappa) const;  // S, with V diag(e) V^T where that is diagonal
+  void correct_rank();                                         // Y and G
+
   const System* system_;
   double gamma_;
-  Cholesky factor_;
+  LowRankDamping low_rank_;
+  SpdFactor factor_;
+  MatrixXd Y_, G_;
+  mutable VectorXd coordinates_, corrections_;
 };
 
 }  // namespace mb

@@ -1,6 +1,34 @@
 #include "mechanics/system/system.h"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
 namespace mb {
+
+void require_consistent(const System& system) {
+  const Index n = system.M.rows();
+  const auto is_square = [n](const SparseMatrix& A) { return A.rows() == n && A.cols() == n; };
+  const ModalDamping& modal = system.modal_damping;
+  const bool masses = is_square(system.M) && (system.lumped_mass.rows() == 0 || is_square(system.lumped_mass));
+  const bool loads =
+      system.F.cols() == static_cast<Index>(system.s.size()) && (system.s.empty() || system.F.rows() == n);
+  const bool rigid = system.R.cols() == 0 || (system.R.rows() == n && system.R.cols() <= n);
+  const bool ratios = modal.W.cols() == modal.d.size() && (modal.d.size() == 0 || modal.W.rows() == n);
+  const bool states = system.u0.size() == n && system.v0.size() == n;
+  const auto refuse = [n](const char* which) {
+    throw std::invalid_argument(fmt::format("system of {} unknowns: sizes of {} disagree", n, which));
+  };
+  if (!masses || !is_square(system.K)) refuse("M, lumped mass and K");
+  if (!loads) refuse("F and s");
+  if (!rigid) refuse("R and M");
+  if (!ratios) refuse("W and d of modal damping");
+  if (!states) refuse("u0, v0 and M");
+}
+
+bool is_damped(const System& system) {
+  return system.damping.alpha != 0 || system.damping.beta != 0 || (system.modal_damping.d.array() != 0).any();
+}
 
 VectorXd apply_damping(const System& system, const VectorXd& v) {
   VectorXd Cv = VectorXd::Zero(v.size());
@@ -10,6 +38,8 @@ VectorXd apply_damping(const System& system, const VectorXd& v) {
     Cv += system.damping.alpha * (system.M * w);
   }
   if (system.damping.beta != 0) Cv += system.damping.beta * (system.K * v);
+  const auto& [W, d] = system.modal_damping;
+  if (d.size() > 0) Cv += W * d.cwiseProduct(W.transpose() * v);
   return Cv;
 }
 
@@ -24,6 +54,10 @@ const VectorXd& LoadFactors::operator()(double t) const {
 
 double kinetic_energy(const System& system, const VectorXd& v) { return 0.5 * v.dot(system.M * v); }
 double strain_energy(const System& system, const VectorXd& u) { return 0.5 * u.dot(system.K * u); }
+
+States Stepper::averages(const VectorXd&, double) const {
+  throw std::invalid_argument("this integrator has no exact averages over time: only closed forms have");
+}
 
 const char* to_string(Status status) {
   switch (status) {

@@ -1,6 +1,6 @@
 // One body, full or reduced:
 //
-//   M u'' + C u' + K u = F s(t),    C = alpha (M - M R R^T M) + beta K,    u(0) = u0, u'(0) = v0
+//   M u'' + C u' + K u = F s(t),    C = alpha (M - M R R^T M) + beta K + W diag(d) W^T,    u(0) = u0, u'(0) = v0
 //
 // Free degrees of freedom only: supports are condensed, never unit rows. A reduced system is a System again, so every
 // integrator and every measure works on both.
@@ -16,15 +16,20 @@
 namespace mb {
 
 struct System {
-  SparseMatrix M;  // [kg] n x n, SPD, full storage
-  SparseMatrix K;  // [N/m] n x n, symmetric positive semi-definite, K R = 0
+  SparseMatrix M;            // [kg] n x n, SPD, full storage
+  SparseMatrix K;            // [N/m] n x n, symmetric positive semi-definite, K R = 0
+  SparseMatrix lumped_mass;  // [kg] n x n, SPD, diagonal but for supports that are means; for explicit steps. 0 x 0: M
   Rayleigh damping;
+  ModalDamping modal_damping;
   MatrixXd R;              // n x m, rigid modes which the supports leave free, R^T M R = I; m = 6 for a free body
   MatrixXd F;              // [N] n x number of loads
   std::vector<History> s;  // one a column of F
   VectorXd u0, v0;         // [m], [m/s]; n
 };
 
+void require_consistent(const System& system);  // throws std::invalid_argument where sizes disagree
+
+bool is_damped(const System& system);                             // C is not 0
 VectorXd apply_damping(const System& system, const VectorXd& v);  // C v [N]
 
 // s(t) of all loads, prepared for many evaluations; one a thread.
@@ -63,6 +68,9 @@ class Stepper {
   virtual ~Stepper() = default;
   // times [s]: ascending, first >= 0; the run starts at t = 0 from u0, v0.
   virtual States run(const VectorXd& times) const = 0;
+  // Exact means of u and v over [t - width/2, t + width/2] for every t of times, the state before t = 0 being the
+  // initial one at rest. Only closed-form steppers have them: others throw std::invalid_argument.
+  virtual States averages(const VectorXd& times, double width) const;
   // Largest error made in representing the loads, relative to their peak [-]; 0 where they enter as they are.
   virtual double load_error() const { return 0; }
 };

@@ -1,4 +1,4 @@
-// The lowest natural modes of a body by shift-invert Lanczos (ARPACK) on a CHOLMOD factor:
+// The lowest natural modes of a body by shift-invert block Lanczos on a CHOLMOD factor:
 //
 //   K phi = lambda M phi,   theta = 1 / (lambda - sigma),   (K - sigma M)^-1 M phi = theta phi,   sigma < 0
 //
@@ -8,22 +8,26 @@
 #include "cases/scene/scene.h"
 #include "mechanics/system/static_response.h"
 #include "modal/bases/gate.h"
+#include "modal/bases/rayleigh_ritz.h"
 
 namespace mb {
 
 // Rigid modes of the system, then at least n_elastic elastic ones (>= 0), more where a multiplet would be cut (relative
 // gap of lambda <= 1e-6), fewer only where the system has no more. shift [1/s^2] < 0: about -0.01 E/(rho l^2).
 // n_elastic > n/3 uses a dense solver (n <= 6000, else std::invalid_argument).
-// Throws GateFailure, std::runtime_error when ARPACK or a factorisation fails.
+// Throws GateFailure, std::runtime_error where Lanczos or a factorisation fails.
 Modes lowest_modes(const System& system, int n_elastic, double shift);
 // The same with a factor made before (static solves use it, too).
 Modes lowest_modes(const System& system, int n_elastic, const ShiftedFactor& shifted);
 
+// Its first try without the gate, for those who time it: the modes found, a few more than asked for.
+ElasticModes elastic_modes(const System& system, int n_elastic, const ShiftedFactor& shifted);
+
+// -0.01 E/(rho l^2) [1/s^2], l the largest extent: well below the first elastic eigenvalue, (pi c/l)^2 for a rod, and
+// far enough from zero that K - sigma M of a free body is well conditioned.
+double physical_shift(const Body& body);
 // [1/s^2] -lambda_1 / 100 from the system alone, lambda_1 within a factor of 2 by a few inverse iterations: well
 // conditioned and close to the elastic spectrum. Costs one factorisation.
-// -0.01 E/(rho l^2) [1/s^2], l the largest extent: well below the first elastic eigenvalue, (pi c/l)^2 for a rod, and far
-// enough from zero that K - sigma M of a free body is well conditioned.
-double physical_shift(const Body& body);
 double default_shift(const System& system);
 
 }  // namespace mb

@@ -210,6 +210,9 @@ TEST(LowestModes, RefuseRigidModesThatAreNot) {
   wrong = beam;
   wrong.R.col(2) += 1e-4 * beam.R.norm() * uniform_noise(beam.R.rows(), 1);
   EXPECT_THROW(lowest_modes(wrong, 5, beam_shift), GateFailure);
+  const Eigen::LLT<MatrixXd> gram(wrong.R.transpose() * (wrong.M * wrong.R));  // orthonormal, yet not rigid
+  wrong.R = gram.matrixU().solve<Eigen::OnTheRight>(wrong.R).eval();
+  EXPECT_THROW(lowest_modes(wrong, 5, beam_shift), GateFailure);
 }
 
 }  // namespace

@@ -102,8 +102,11 @@ VectorXd residuals(const System& system, const MatrixXd& Phi, const VectorXd& om
   MatrixXd difference = system.K * Phi;
   difference.noalias() -= M_Phi * lambda.asDiagonal();
   VectorXd residual(lambda.size());
-  for (Index i = 0; i < residual.size(); ++i)
-    residual(i) = difference.col(i).norm() / (lambda(std::max(i, n_rigid)) * M_Phi.col(i).norm());  // rigid: lambda_1
+  for (Index i = 0; i < residual.size(); ++i) {
+    const Index elastic = std::max(i, n_rigid);  // rigid: lambda_1
+    const double scale = elastic < lambda.size() ? lambda(elastic) : std::numeric_limits<double>::quiet_NaN();
+    residual(i) = difference.col(i).norm() / (scale * M_Phi.col(i).norm());
+  }
   return residual;
 }
 

@@ -5,6 +5,7 @@
 // Parlett 1998, The Symmetric Eigenvalue Problem, ch. 11.
 #pragma once
 
+#include "cases/contract/modes.h"
 #include "mechanics/system/system.h"
 
 namespace mb {
@@ -16,5 +17,8 @@ struct ElasticModes {
 
 // Y: n x k of full rank, columns of comparable size. Throws std::runtime_error where the columns depend on one another.
 ElasticModes rayleigh_ritz(const System& system, const MatrixXd& Y);
+
+// The system's rigid modes, then these. A lambda below 0 becomes an omega that is NaN; lambda_max is not filled in.
+Modes with_rigid(const System& system, const ElasticModes& elastic);
 
 }  // namespace mb

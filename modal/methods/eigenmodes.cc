@@ -4,13 +4,12 @@
 namespace mb {
 namespace {
 
-class Eigenmodes : public Method {
+class Eigenmodes : public LinearMethod {
  public:
   std::string name() const override { return "eigenmodes"; }
   std::string doc() const override { return "the body's own lowest r elastic modes and its rigid ones, u = Phi q"; }
-  std::unique_ptr<Prepared> prepare(const Model& model, const Settings& settings,
-                                    const Integrator& integrator) const override {
-    return prepare_truncated(model, settings, integrator, false);
+  Reduction reduce(const Model& model, const Settings& settings) const override {
+    return in_eigenmodes(model, settings, false);
   }
 };
 

@@ -2,94 +2,32 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/algebra/box_test_system.h"
-#include "mechanics/system/exact.h"
 #include "mechanics/system/newmark.h"
 #include "modal/bases/eigenmodes.h"
 #include "modal/methods/projection.h"
+#include "modal/methods/whole_body_test.h"
 
 namespace mb {
 namespace {
 
-const Vector3d size(0.09, 0.1, 0.3);       // [m]
-const Material gelatine{2e4, 0.45, 1100};  // [Pa], [-], [kg/m^3]
-constexpr double duration = 0.5;           // [s] about five periods of the first mode
-constexpr double shift = -0.01 * 2e4 / (1100 * 0.3 * 0.3);
-
-// A box that is pulled at both ends along z and bent, damped, and starts with a deformation and a motion.
-System beam(bool clamped) {
-  testing::BoxMesh mesh{.cells = {2, 3, 5}, .size = size, .E = 2e4, .nu = 0.45, .rho = 1100};
-  if (clamped) mesh.fixed = [](const Vector3d& x, int) { return x[2] == 0; };
-  testing::BoxSystem box = testing::box_system(mesh);
-  System& system = box.system;
-  system.damping = {.alpha = 1.5, .beta = 1e-4};
-  system.F = MatrixXd::Zero(system.M.rows(), 2);
-  for (size_t i = 0; i < box.dof.size(); ++i) {
-    if (box.dof[i] < 0) continue;
-    const Vector3d x = box.nodes.col(static_cast<Index>(i / 3));
-    if (i % 3 == 2) system.F(box.dof[i], 0) = 1e-3 * (x[2] / size[2] - 0.5);
-    if (i % 3 == 0) system.F(box.dof[i], 1) = 1e-3 * x[2] / size[2];
-    system.u0(box.dof[i]) = 1e-3 * x[2] * x[1];
-    system.v0(box.dof[i]) = i % 3 == 0 ? 0.1 : 0;
-  }
-  system.s = {Pulse{.duration = 0.2}, Ramp{.duration = 0.1}};
-  return system;
-}
-
-class WholeBody : public FullModel {  // observed at its degrees of freedom
- public:
-  explicit WholeBody(System system) : system_(std::move(system)) {}
-  const System& system() const override { return system_; }
-  SparseMatrix displacement_at(const Matrix3Xd&) const override { return identity(); }
-  SparseMatrix strain_at(const Matrix3Xd&) const override { return 2 * identity(); }
-  Index n_cells() const override { return 30; }
-  double mesh_volume() const override { return size.prod(); }
-
- private:
-  SparseMatrix identity() const { return SparseMatrix(VectorXd::Ones(system_.M.rows()).asDiagonal()); }
-  System system_;
-};
-
-Model model_of(const System& system) {
-  auto scene = std::make_shared<Scene>();
-  scene->duration = duration;
-  scene->bodies.push_back({.name = "beam",
-                           .shape = Box{size},
-                           .material = gelatine,
-                           .damping = system.damping,
-                           .resolution = {1, {2, 3, 5}},
-                           .supports = {}});
-  const auto full = std::make_shared<WholeBody>(system);
-  BodyModel body{full, {}, full->displacement_at({}), full->strain_at({})};
-  Model model;
-  model.scene = scene;
-  model.bodies.push_back(std::move(body));
-  return model;
-}
-
-const Integrator closed_form{"exact", "closed form", [](const System& system, const Settings& settings, double end) {
-                               return exact(system, end, settings.load_tolerance);
-                             }};
-
-Trajectory simulate(const Method& method, const Model& model, int n_modes, const VectorXd& t) {
-  return method.prepare(model, Settings{.modes = n_modes}, closed_form)->simulate({.t = t});
-}
-
-VectorXd times() { return VectorXd::LinSpaced(101, 0, duration); }
-
-// Relative M norm over all times.
-double error(const System& system, const MatrixXd& u, const MatrixXd& truth) {
-  const auto squared = [&](const MatrixXd& x) { return x.cwiseProduct(system.M * x).sum(); };
-  return std::sqrt(squared(u - truth) / squared(truth));
-}
+using testing::beam;
+using testing::beam_duration;
+using testing::beam_model;
+using testing::beam_shift;
+using testing::beam_times;
+using testing::closed_form;
+using testing::error;
+using testing::model_of;
+using testing::simulate;
 
 TEST(ModalProjection, IsASystemInModalCoordinates) {
-  const System body = beam(false);
-  const Modes modes = lowest_modes(body, 10, shift);
+  const System body = beam(false).system;
+  const Modes modes = lowest_modes(body, 10, beam_shift);
   const System reduced = project(body, modes);
   const MatrixXd& Phi = modes.Phi;
   ASSERT_EQ(reduced.M.rows(), modes.size());
   EXPECT_EQ(MatrixXd(reduced.M), MatrixXd::Identity(modes.size(), modes.size()));
+  EXPECT_EQ(reduced.lumped_mass.rows(), 0);
   const MatrixXd K = Phi.transpose() * (body.K * Phi);
   EXPECT_LT((MatrixXd(reduced.K) - K).cwiseAbs().maxCoeff(), 1e-9 * K.maxCoeff());
   EXPECT_LT((reduced.R - Phi.transpose() * (body.M * body.R)).cwiseAbs().maxCoeff(), 1e-12);
@@ -102,10 +40,49 @@ TEST(ModalProjection, IsASystemInModalCoordinates) {
   EXPECT_LT((reduced.v0.head(6) - body.R.transpose() * (body.M * body.v0)).norm(), 1e-12 * reduced.v0.norm());
 }
 
+// Damping mode by mode on top of Rayleigh's, in the modes of an eigensolve of its own.
+System with_ratios(System body, int n_modes) {
+  const Modes modes = lowest_modes(body, n_modes, beam_shift);
+  const Index n = modes.size() - modes.n_rigid;
+  body.modal_damping = {body.M * modes.Phi.rightCols(n), VectorXd::LinSpaced(n, 3, 20)};
+  return body;
+}
+
+TEST(ModalProjection, KeepsTheDampingOfSingleModesApart) {
+  const System body = with_ratios(beam(false).system, 12);
+  for (const int n_modes : {3, 12, 30}) {
+    const System reduced = project(body, lowest_modes(body, n_modes, beam_shift));
+    const auto& [W, d] = reduced.modal_damping;
+    const Index n_damped = std::min<Index>(reduced.M.rows() - 6, body.modal_damping.d.size());
+    ASSERT_EQ(d.size(), n_damped) << n_modes;
+    for (Index k = 0; k < d.size(); ++k) {
+      EXPECT_EQ(W.col(k), VectorXd::Unit(W.rows(), 6 + k));
+      EXPECT_NEAR(d(k), body.modal_damping.d(k), 1e-9 * d(k));
+    }
+    EXPECT_NO_THROW(exact(reduced, beam_duration));
+  }
+  // Of modes that the basis does not hold nothing is left.
+  EXPECT_EQ(project(body, lowest_modes(body, 0, beam_shift)).modal_damping.d.size(), 0);
+}
+
+TEST(ModalProjection, KeepsTheDampingOfSingleModesInAnyBasis) {
+  const System body = with_ratios(beam(false).system, 12);
+  Modes modes = lowest_modes(body, 12, beam_shift);
+  const Index n = modes.size();
+  const MatrixXd turn = MatrixXd::Identity(n, n) + 0.3 * MatrixXd::Ones(n, n);
+  modes.Phi *= Eigen::HouseholderQR<MatrixXd>(turn).householderQ() * MatrixXd::Identity(n, n);
+  const System reduced = project(body, modes);
+  const VectorXd q = VectorXd::LinSpaced(n, -1, 2);
+  const auto& [W, d] = reduced.modal_damping;
+  const VectorXd damping = body.modal_damping.d.cwiseProduct(body.modal_damping.W.transpose() * (modes.Phi * q));
+  const VectorXd expected = modes.Phi.transpose() * (body.modal_damping.W * damping);
+  EXPECT_LT((W * d.cwiseProduct(W.transpose() * q) - expected).norm(), 1e-12 * expected.norm());
+}
+
 TEST(ResidualFlexibility, OfAllModesIsZero) {
   for (const bool clamped : {false, true}) {
-    const System body = beam(clamped);
-    const ShiftedFactor shifted = shifted_factor(body, shift);
+    const System body = beam(clamped).system;
+    const ShiftedFactor shifted = shifted_factor(body, beam_shift);
     const MatrixXd G_F = inertia_relief(body, shifted, body.F);
     const Modes all = lowest_modes(body, static_cast<int>(body.K.rows()), shifted);
     ASSERT_EQ(all.size(), body.K.rows());
@@ -121,11 +98,11 @@ TEST(ResidualFlexibility, OfAllModesIsZero) {
 
 TEST(ModalMethods, WithAllModesAreTheFullSystem) {
   for (const bool clamped : {false, true}) {
-    const System body = beam(clamped);
-    const Model model = model_of(body);
-    const MatrixXd truth = exact(body, duration)->run(times()).u;
-    for (const auto& method : {eigenmodes(), static_correction()}) {
-      const Trajectory answer = simulate(*method, model, 100000, times());
+    const System body = beam(clamped).system;
+    const Model model = beam_model(clamped);
+    const MatrixXd truth = exact(body, beam_duration)->run(beam_times()).u;
+    for (const auto& method : {eigenmodes(), static_correction(), full_basis()}) {
+      const Trajectory answer = simulate(*method, model, 100000, {.t = beam_times()});
       ASSERT_EQ(answer.status, Status::ok);
       EXPECT_LT(error(body, answer.bodies.at(0).displacement, truth), 1e-9) << method->name();
       EXPECT_LT((answer.bodies[0].strain - 2 * answer.bodies[0].displacement).norm(),
@@ -134,18 +111,28 @@ TEST(ModalMethods, WithAllModesAreTheFullSystem) {
   }
 }
 
+TEST(ModalMethods, DampSingleModesLikeTheFullSystem) {
+  testing::BoxSystem box = beam(false);
+  box.system = with_ratios(box.system, 12);
+  const MatrixXd truth = exact(box.system, beam_duration)->run(beam_times()).u;
+  const Trajectory answer = simulate(*eigenmodes(), model_of(box, false), 100000, {.t = beam_times()});
+  EXPECT_LT(error(box.system, answer.bodies.at(0).displacement, truth), 1e-9);
+}
+
 TEST(ModalMethods, ConvergeAndTheCorrectionHelps) {
-  System body = beam(true);
-  body.u0.setZero();  // a deformed start is in no mode of low order; what is asked here is the load
-  body.v0.setZero();
-  const Model model = model_of(body);
-  const MatrixXd truth = exact(body, duration)->run(times()).u;
+  testing::BoxSystem box = beam(true);
+  const System& body = box.system;
+  box.system.u0.setZero();  // a deformed start is in no mode of low order; what is asked here is the load
+  box.system.v0.setZero();
+  const Model model = model_of(box, true);
+  const Sampling sampling{.t = beam_times()};
+  const MatrixXd truth = exact(body, beam_duration)->run(sampling.t).u;
   double before = 1;
   // From 8 modes on those left out are fast against the load, as the correction assumes (with 2 it does not help).
   for (const int n_modes : {8, 24}) {
-    const double plain = error(body, simulate(*eigenmodes(), model, n_modes, times()).bodies[0].displacement, truth);
+    const double plain = error(body, simulate(*eigenmodes(), model, n_modes, sampling).bodies[0].displacement, truth);
     const double corrected =
-        error(body, simulate(*static_correction(), model, n_modes, times()).bodies[0].displacement, truth);
+        error(body, simulate(*static_correction(), model, n_modes, sampling).bodies[0].displacement, truth);
     EXPECT_LT(plain, before);
     EXPECT_LT(corrected, 0.7 * plain) << n_modes;
     before = plain;
@@ -153,32 +140,77 @@ TEST(ModalMethods, ConvergeAndTheCorrectionHelps) {
 }
 
 TEST(ModalMethods, WithoutElasticModesMoveRigidly) {
-  const System body = beam(false);
-  const Model model = model_of(body);
+  const System body = beam(false).system;
+  const Model model = beam_model(false);
   const auto prepared = eigenmodes()->prepare(model, Settings{.modes = 0}, closed_form);
   EXPECT_EQ(prepared->modes_used(), 0);
   EXPECT_EQ(prepared->n_unknowns(), 6);
-  const MatrixXd u = prepared->simulate({.t = times()}).bodies.at(0).displacement;
+  const MatrixXd u = prepared->simulate({.t = beam_times()}).bodies.at(0).displacement;
   EXPECT_LT((body.K * u).norm(), 1e-9 * body.K.norm() * u.norm());
   EXPECT_GT(u.norm(), 0);
 }
 
 TEST(ModalMethods, ReportTheModesTheyUse) {
-  System body = beam(false);
-  const Model model = model_of(body);
-  const Modes modes = lowest_modes(body, 7, shift);
+  const System body = beam(false).system;
+  const Model model = beam_model(false);
+  const Modes modes = lowest_modes(body, 7, beam_shift);
   const auto prepared = static_correction()->prepare(model, Settings{.modes = 7}, closed_form);
   EXPECT_EQ(prepared->modes_used(), modes.size() - 6);
   EXPECT_EQ(prepared->n_unknowns(), modes.size());
   EXPECT_EQ(eigenmodes()->name(), "eigenmodes");
   EXPECT_EQ(static_correction()->name(), "static-correction");
+  EXPECT_TRUE(eigenmodes()->takes_modes());
+  const auto full = full_basis()->prepare(model, {}, closed_form);
+  EXPECT_EQ(full_basis()->name(), "full");
+  EXPECT_FALSE(full_basis()->takes_modes());
+  EXPECT_EQ(full->modes_used(), -1);
+  EXPECT_EQ(full->n_unknowns(), body.M.rows());
+}
+
+// Gauss's rule of three points on each of 60 parts of the window, from states at single times.
+MatrixXd mean_displacement(const Prepared& prepared, double t, double width) {
+  constexpr int n_parts = 60;
+  VectorXd times(3 * n_parts), weights(3 * n_parts);
+  const double h = width / n_parts, offset = std::sqrt(0.6) / 2;
+  for (int part = 0; part < n_parts; ++part) {
+    const double middle = t - width / 2 + (part + 0.5) * h;
+    times.segment<3>(3 * part) << middle - offset * h, middle, middle + offset * h;
+    weights.segment<3>(3 * part) << 5. / 18, 8. / 18, 5. / 18;
+  }
+  return prepared.simulate({.t = times}).bodies.at(0).displacement * weights / n_parts;
+}
+
+TEST(ModalMethods, AverageOverTheShutter) {
+  const Model model = beam_model(true);
+  constexpr double width = 1. / 30;
+  const Vector3d times(0.1 + width / 2, 0.31, 0.4);
+  for (const auto& method : {eigenmodes(), static_correction(), quadratic_strain()}) {
+    const auto prepared = method->prepare(model, Settings{.modes = 8}, closed_form);
+    const MatrixXd u = prepared->simulate({.t = times, .shutter = width}).bodies.at(0).displacement;
+    for (Index k = 0; k < times.size(); ++k) {
+      const VectorXd expected = mean_displacement(*prepared, times[k], width);
+      EXPECT_LT((u.col(k) - expected).norm(), 1e-7 * expected.norm()) << method->name() << " " << times[k];
+    }
+  }
+  const Integrator stepping{"newmark", "",
+                            [](const System& system, const Settings&, double) { return newmark(system, 1e-3); }};
+  const auto stepped = eigenmodes()->prepare(model, Settings{.modes = 8}, stepping);
+  EXPECT_THROW(stepped->simulate({.t = times, .shutter = width}), std::invalid_argument);
+  EXPECT_THROW(stepped->simulate({.t = times, .shutter = -width}), std::invalid_argument);
+}
+
+TEST(ModalMethods, StepWithoutReconstruction) {
+  const auto prepared = eigenmodes()->prepare(beam_model(false), Settings{.modes = 8}, closed_form);
+  const Trajectory answer = prepared->simulate({.t = beam_times(), .reconstruct = false});
+  EXPECT_TRUE(answer.bodies.empty());
+  EXPECT_GT(answer.work.steps, 0);
 }
 
 TEST(ModalMethods, RefuseBadInput) {
-  System body = beam(false);
-  EXPECT_THROW(eigenmodes()->prepare(model_of(body), Settings{.modes = -1}, closed_form), std::invalid_argument);
-  body.K *= -1;
-  EXPECT_THROW(eigenmodes()->prepare(model_of(body), Settings{.modes = 4}, closed_form), std::runtime_error);
+  testing::BoxSystem box = beam(false);
+  EXPECT_THROW(eigenmodes()->prepare(beam_model(false), Settings{.modes = -1}, closed_form), std::invalid_argument);
+  box.system.K *= -1;
+  EXPECT_THROW(eigenmodes()->prepare(model_of(box, false), Settings{.modes = 4}, closed_form), std::runtime_error);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "modal/methods/projection.h"
 
-#include "modal/bases/eigenmodes.h"
-
 namespace mb {
 namespace {
 
@@ -12,6 +10,31 @@ SparseMatrix diagonal(const VectorXd& d) {
   return D;
 }
 
+// Eigenvectors of two eigensolves of one mesh differ by the tolerance of both (1e-10) over the relative distance of the
+// next frequency, but not by more: multiplets are whole in either.
+constexpr double rounding = 1e-8;  // [-]
+
+// C = W diag(d) W^T as sum of C_ii e_i e_i^T, where it is that.
+ModalDamping decoupled(const MatrixXd& C, double negligible) {
+  std::vector<Index> damped;
+  for (Index i = 0; i < C.rows(); ++i)
+    if (std::abs(C(i, i)) > negligible) damped.push_back(i);
+  return {MatrixXd::Identity(C.rows(), C.cols())(Eigen::all, damped), C.diagonal()(damped)};
+}
+
+ModalDamping project(const ModalDamping& damping, const MatrixXd& Phi) {
+  if (damping.d.size() == 0 || Phi.cols() == 0) return {MatrixXd(Phi.cols(), 0), VectorXd(0)};
+  const MatrixXd W = Phi.transpose() * damping.W;
+  const MatrixXd C = W * damping.d.asDiagonal() * W.transpose();
+  const double negligible = rounding * damping.d.cwiseAbs().maxCoeff();  // columns of W are at most of unit length
+  const MatrixXd coupling = C - MatrixXd(C.diagonal().asDiagonal());
+  if (coupling.cwiseAbs().maxCoeff() <= negligible) return decoupled(C, negligible);
+  std::vector<Index> seen;  // modes of W of which Phi sees anything
+  for (Index k = 0; k < W.cols(); ++k)
+    if (W.col(k).norm() > rounding) seen.push_back(k);
+  return {W(Eigen::all, seen), damping.d(seen)};
+}
+
 Observation observe_modes(const SparseMatrix& at_points, const Modes& modes, const MatrixXd& correction) {
   return {.of_state = MatrixXd(at_points * modes.Phi), .of_load = MatrixXd(at_points * correction)};
 }
@@ -20,11 +43,11 @@ Observation observe_modes(const SparseMatrix& at_points, const Modes& modes, con
 
 System project(const System& system, const Modes& modes) {
   const Index size = modes.size();
-  const VectorXd lambda = modes.omega.array().square();
   System reduced;
   reduced.M = diagonal(VectorXd::Ones(size));
-  reduced.K = diagonal(lambda);
+  reduced.K = diagonal(modes.omega.array().square());
   reduced.damping = system.damping;
+  reduced.modal_damping = project(system.modal_damping, modes.Phi);
   reduced.R = MatrixXd::Identity(size, modes.n_rigid);
   reduced.F = modes.Phi.transpose() * system.F;
   reduced.s = system.s;
@@ -40,15 +63,10 @@ MatrixXd residual_flexibility(const System& system, const Modes& modes, const Ma
   return G_F - Phi * (flexibility.asDiagonal() * (Phi.transpose() * system.F));
 }
 
-ReducedBody reduce(const BodyModel& model, const ShiftedFactor& shifted, int n_modes, bool corrected) {
-  const System& system = model.full->system();
-  const Modes modes = lowest_modes(system, n_modes, shifted);
-  const MatrixXd correction = corrected ? residual_flexibility(system, modes, inertia_relief(system, shifted, system.F))
-                                        : MatrixXd(system.F.rows(), 0);
-  return {.body = {.system = project(system, modes),
-                   .displacement = observe_modes(model.displacement, modes, correction),
-                   .strain = observe_modes(model.strain, modes, correction)},
-          .n_elastic = static_cast<int>(modes.size() - modes.n_rigid)};
+LinearBody reduce(const BodyModel& body, const Modes& modes, const MatrixXd& correction) {
+  return {.system = project(body.full->system(), modes),
+          .displacement = observe_modes(body.displacement, modes, correction),
+          .strain = observe_modes(body.strain, modes, correction)};
 }
 
 }  // namespace mb

@@ -5,21 +5,18 @@
 
 #include "cases/contract/linear.h"
 #include "cases/contract/modes.h"
-#include "mechanics/system/static_response.h"
 
 namespace mb {
 
-// M = I, K = Lambda (rigid: 0), R = the first n_rigid unit vectors, damping as it was.
+// M = I, K = Lambda (rigid: 0), R = the first n_rigid unit vectors, Rayleigh damping as it was. Damping of single modes
+// becomes Phi^T W diag(d) W^T Phi; where that is diagonal but for rounding (the modes of W are among Phi or missing),
+// as unit vectors. No lumped mass.
 System project(const System& system, const Modes& modes);
 
 // Static response of the modes left out, (G - Phi_e Lambda_e^-1 Phi_e^T) F [m], n x loads; G_F = G F.
 MatrixXd residual_flexibility(const System& system, const Modes& modes, const MatrixXd& G_F);
 
-// A body of the model in its lowest settings.modes elastic modes, statically corrected or not.
-struct ReducedBody {
-  LinearBody body;
-  int n_elastic;  // after rounding up to whole multiplets
-};
-ReducedBody reduce(const BodyModel& model, const ShiftedFactor& shifted, int n_modes, bool corrected);
+// A body of the model in a basis; correction [m]: n x loads, or 0 columns for none.
+LinearBody reduce(const BodyModel& body, const Modes& modes, const MatrixXd& correction);
 
 }  // namespace mb

@@ -4,15 +4,14 @@
 namespace mb {
 namespace {
 
-class StaticCorrection : public Method {
+class StaticCorrection : public LinearMethod {
  public:
   std::string name() const override { return "static-correction"; }
   std::string doc() const override {
     return "eigenmodes plus the static response of the modes left out, u = Phi q + (G - Phi Lambda^-1 Phi^T) F s";
   }
-  std::unique_ptr<Prepared> prepare(const Model& model, const Settings& settings,
-                                    const Integrator& integrator) const override {
-    return prepare_truncated(model, settings, integrator, true);
+  Reduction reduce(const Model& model, const Settings& settings) const override {
+    return in_eigenmodes(model, settings, true);
   }
 };
 

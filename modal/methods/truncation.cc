@@ -10,19 +10,21 @@
 
 namespace mb {
 
-std::unique_ptr<Prepared> prepare_truncated(const Model& model, const Settings& settings, const Integrator& integrator,
-                                            bool corrected) {
+Reduction in_eigenmodes(const Model& model, const Settings& settings, bool corrected) {
   if (settings.modes < 0) throw std::invalid_argument(fmt::format("{} modes asked for", settings.modes));
-  std::vector<LinearBody> bodies;
-  int modes_used = 0;  // of the body that uses most
+  Reduction reduction{{}, 0};
   for (size_t i = 0; i < model.bodies.size(); ++i) {
-    const ShiftedFactor shifted =
-        shifted_factor(model.bodies[i].full->system(), physical_shift(model.scene->bodies.at(i)));
-    ReducedBody reduced = reduce(model.bodies[i], shifted, settings.modes, corrected);
-    modes_used = std::max(modes_used, reduced.n_elastic);
-    bodies.push_back(std::move(reduced.body));
+    const BodyModel& body = model.bodies[i];
+    const System& system = body.full->system();
+    const ShiftedFactor shifted = shifted_factor(system, physical_shift(model.scene->bodies.at(i)));
+    const Modes modes = lowest_modes(system, settings.modes, shifted);
+    const MatrixXd correction = corrected
+                                    ? residual_flexibility(system, modes, inertia_relief(system, shifted, system.F))
+                                    : MatrixXd(system.F.rows(), 0);
+    reduction.bodies.push_back(reduce(body, modes, correction));
+    reduction.modes_used = std::max(reduction.modes_used, static_cast<int>(modes.size() - modes.n_rigid));
   }
-  return prepare_linear(std::move(bodies), integrator, settings, model.scene->duration, modes_used);
+  return reduction;
 }
 
 }  // namespace mb

@@ -1,14 +1,12 @@
-// What the methods of this folder share: every body of the model reduced, one stepper for each.
+// What the methods on eigenmodes share: every body of the model in its lowest modes.
 #pragma once
 
-#include <memory>
-
-#include "cases/contract/method.h"
+#include "cases/contract/linear.h"
 
 namespace mb {
 
-// corrected: add the static response of the modes left out. Throws std::invalid_argument for settings.modes < 0.
-std::unique_ptr<Prepared> prepare_truncated(const Model& model, const Settings& settings, const Integrator& integrator,
-                                            bool corrected);
+// settings.modes elastic modes of each body, rounded up to whole multiplets. corrected: add the static response of the
+// modes left out. Throws std::invalid_argument for settings.modes < 0.
+Reduction in_eigenmodes(const Model& model, const Settings& settings, bool corrected);
 
 }  // namespace mb

@@ -3,10 +3,13 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 
 #include "reference/fem/evaluation.h"
 
@@ -138,6 +141,29 @@ Matrices assemble(const Discretisation& d, const Material& material) {
   return sum;
 }
 
+VectorXd lumped_mass(const Discretisation& d, double density) {
+  // FE_Q of degree p has its nodes at the p + 1 points of this rule, numbered as dofs are, not as points are.
+  const dealii::QGaussLobatto<3> lobatto(d.element.degree + 1);
+  dealii::FEValues<3> values(d.mapping, d.element, lobatto, dealii::update_values | dealii::update_JxW_values);
+  VectorXd mass = VectorXd::Zero(d.n_nodes());
+  Indices ids(d.element.n_dofs_per_cell());
+  for (const auto& cell : d.nodes.active_cell_iterators()) {
+    values.reinit(cell);
+    cell->get_dof_indices(ids);
+    for (unsigned q = 0; q < lobatto.size(); ++q)
+      for (unsigned a = 0; a < ids.size(); ++a)
+        mass[static_cast<Index>(ids[a])] += density * values.shape_value(a, q) * values.JxW(q);
+  }
+  Index lightest = 0;
+  if (!(mass.minCoeff(&lightest) > 0)) {
+    const Vector3d x = d.node_positions().col(lightest);
+    throw std::invalid_argument(
+        fmt::format("lumped mass {:.3g} kg at ({:.4g}, {:.4g}, {:.4g}) m is not positive: degenerate cells or density",
+                    mass[lightest], x[0], x[1], x[2]));
+  }
+  return mass.replicate(1, 3).transpose().reshaped();
+}
+
 namespace {
 
 using BoundaryField = std::function<Vector3d(const Vector3d& normal)>;
@@ -180,8 +206,8 @@ VectorXd integrate_patch(const Discretisation& d, const Patch& patch, const Boun
 
 }  // namespace
 
-VectorXd patch_load(const Discretisation& d, const Patch& patch, const Vector3d& traction) {
-  return integrate_patch(d, patch, [&](const Vector3d&) { return traction; });
+VectorXd patch_load(const Discretisation& d, const Patch& patch, const Vector3d& traction, double pressure) {
+  return integrate_patch(d, patch, [&](const Vector3d& n) -> Vector3d { return traction - pressure * n; });
 }
 
 VectorXd patch_normal(const Discretisation& d, const Patch& patch) {

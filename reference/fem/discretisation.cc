@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <stdexcept>
 
 #include "mechanics/geometry/overloaded.h"
@@ -21,7 +22,51 @@ using Point = dealii::Point<3>;
 
 constexpr dealii::types::manifold_id curved = 0;
 
+// Four faces bent to a circle: between its ends on the circle a point is moved along the face's normal, x or y, until
+// it lies on the circle too,
+//
+//   (x, y) -> (sqrt(R^2 - y^2), y)
+//
+// At a vertex of the block the circle leaves no angle for a corner: 180 degrees, Jacobian 0. The polynomials through
+// these points keep a corner, since their slopes approach the circle's from below; through points at equal angles the
+// slopes of cubics and quartics exceed it, and the Jacobian would change its sign.
+class BentSquare final : public dealii::Manifold<3> {
+ public:
+  explicit BentSquare(double radius) : radius_(radius) {}
+  std::unique_ptr<dealii::Manifold<3>> clone() const override { return std::make_unique<BentSquare>(radius_); }
+  Point get_new_point(const dealii::ArrayView<const Point>& points,
+                      const dealii::ArrayView<const double>& weights) const override {
+    Point p;
+    for (size_t i = 0; i < points.size(); ++i) p += weights[i] * points[i];
+    const unsigned normal = std::abs(p[0]) > std::abs(p[1]) ? 0 : 1;
+    const double along = p[1 - normal];
+    p[normal] = std::copysign(std::sqrt(radius_ * radius_ - along * along), p[normal]);
+    return p;
+  }
+
+ private:
+  double radius_;  // [m]
+};
+
 int refinements(int splits) { return std::bit_width(static_cast<unsigned>(splits)) - 1; }
+
+bool is_one_block(const Shape& shape, const Resolution& resolution) {
+  return std::holds_alternative<Cylinder>(shape) && resolution.cells[0] == 0;
+}
+
+// The shape, if such a mesh of it can be made.
+const Shape& meshable(const Shape& shape, const Resolution& resolution) {
+  const auto& cells = resolution.cells;
+  bool possible = resolution.degree >= 1 && resolution.degree <= 4 && cells.size() == 3 - shape.index();
+  for (size_t i = 0; possible && i < cells.size(); ++i) {
+    const int least = i == 0 && std::holds_alternative<Cylinder>(shape) ? 0 : 1;
+    possible = cells[i] >= least && cells[i] <= 256;
+  }
+  if (possible && !std::holds_alternative<Box>(shape) && cells[0] > 0)
+    possible = std::has_single_bit(static_cast<unsigned>(cells[0]));
+  if (!possible) throw std::invalid_argument("no mesh " + to_string(resolution) + " of such a shape");
+  return shape;
+}
 
 void make(Mesh& mesh, const Box& box, const std::vector<int>& cells) {
   const Vector3d h = 0.5 * box.size;
@@ -29,8 +74,12 @@ void make(Mesh& mesh, const Box& box, const std::vector<int>& cells) {
                                                     Point(-h[0], -h[1], -h[2]), Point(h[0], h[1], h[2]));
 }
 
-// Five blocks in the disc, each edge split, extruded along z.
+// Five blocks in the disc, each edge split, or one square in it; extruded along z.
 void make(Mesh& mesh, const Cylinder& cylinder, const std::vector<int>& cells) {
+  if (cells[0] == 0) {
+    const double edge = std::sqrt(2.0) * cylinder.radius;
+    return make(mesh, Box{{edge, edge, cylinder.length}}, {1, 1, cells[1]});
+  }
   dealii::Triangulation<2> disc, flat;
   dealii::GridGenerator::hyper_ball(disc, dealii::Point<2>(), cylinder.radius);
   disc.refine_global(static_cast<unsigned>(refinements(cells[0])));
@@ -44,7 +93,8 @@ void make(Mesh& mesh, const Sphere& sphere, const std::vector<int>& cells) {
   mesh.refine_global(static_cast<unsigned>(refinements(cells[0])));
 }
 
-// Gives every boundary face the index of the named face that all its vertices lie on.
+// Gives every boundary face the index of the named face that all its vertices lie on; of two such the plane one: the
+// ends of a cylinder of one block have their vertices on its side as well.
 void name_boundary(Mesh& mesh, const Shape& shape, const std::vector<std::string>& faces) {
   const double tolerance = 1e-9 * extent(shape);  // vertices are placed to rounding
   const auto lies_on = [&](const auto& quad, const std::string& name) {
@@ -56,20 +106,25 @@ void name_boundary(Mesh& mesh, const Shape& shape, const std::vector<std::string
   };
   for (const auto& quad : mesh.active_face_iterators()) {
     if (!quad->at_boundary()) continue;
-    const auto name = std::find_if(faces.begin(), faces.end(), [&](const auto& f) { return lies_on(quad, f); });
+    const auto plane = [&](const auto& f) { return is_plane(shape, f) && lies_on(quad, f); };
+    auto name = std::find_if(faces.begin(), faces.end(), plane);
+    if (name == faces.end())
+      name = std::find_if(faces.begin(), faces.end(), [&](const auto& f) { return lies_on(quad, f); });
     if (name == faces.end()) throw std::logic_error("a boundary face lies on no face of the shape");
     quad->set_boundary_id(static_cast<unsigned>(name - faces.begin()));
   }
 }
 
 // Curved faces follow the shape, everything else is blended from them by the mapping.
-void attach_manifold(Mesh& mesh, const Shape& shape, const std::vector<std::string>& faces) {
+void attach_manifold(Mesh& mesh, const Shape& shape, bool one_block, const std::vector<std::string>& faces) {
   if (std::holds_alternative<Box>(shape)) return;
   mesh.reset_all_manifolds();
   mesh.set_all_manifold_ids(dealii::numbers::flat_manifold_id);
   for (const auto& quad : mesh.active_face_iterators())
     if (quad->at_boundary() && !is_plane(shape, faces[quad->boundary_id()])) quad->set_all_manifold_ids(curved);
-  if (std::holds_alternative<Cylinder>(shape))
+  if (one_block)
+    mesh.set_manifold(curved, BentSquare(std::get<Cylinder>(shape).radius));
+  else if (std::holds_alternative<Cylinder>(shape))
     mesh.set_manifold(curved, dealii::CylindricalManifold<3>(2));
   else
     mesh.set_manifold(curved, dealii::SphericalManifold<3>());
@@ -78,14 +133,14 @@ void attach_manifold(Mesh& mesh, const Shape& shape, const std::vector<std::stri
 }  // namespace
 
 Discretisation::Discretisation(const Shape& shape_, const Resolution& resolution)
-    : shape(shape_),
+    : shape(meshable(shape_, resolution)),
       faces(face_names(shape_)),
       mapping(static_cast<unsigned>(resolution.degree)),
       element(static_cast<unsigned>(resolution.degree)),
       nodes(mesh) {
   std::visit([&](const auto& s) { make(mesh, s, resolution.cells); }, shape);
   name_boundary(mesh, shape, faces);
-  attach_manifold(mesh, shape, faces);
+  attach_manifold(mesh, shape, is_one_block(shape, resolution), faces);
   nodes.distribute_dofs(element);
 }
 

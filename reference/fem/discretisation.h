@@ -1,5 +1,7 @@
 // Hexahedra of degree p on a shape: mesh, isoparametric mapping with exact curved boundary, scalar Lagrange nodes.
-// Degree of freedom 3 a + i is component i of node a. Included only within reference/fem (deal.II's door).
+// A cylinder's cells {0, layers}: one block across the disc, the square in it, its sides bent to the circle from degree
+// 2 on (degree 1: the inscribed prism). Degree of freedom 3 a + i is component i of node a. Included only within
+// reference/fem (deal.II's door).
 #pragma once
 
 #include <deal.II/dofs/dof_handler.h>
@@ -16,6 +18,7 @@ namespace mb::fem {
 
 // Not movable: deal.II's objects refer to each other.
 struct Discretisation {
+  // Throws std::invalid_argument for a resolution out of range (scene.h).
   Discretisation(const Shape& shape, const Resolution& resolution);
 
   Shape shape;

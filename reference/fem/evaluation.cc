@@ -49,8 +49,8 @@ Located nearest_cell(const Discretisation& d, const Point& x) {
     }
     if (outside == 0) break;
   }
-  // The faces of the coarsest linear meshes lie below the true surface: five blocks of a disc by 0.7 of a cell, seven of
-  // a ball by 1.8. Two cells away is outside.
+  // The faces of the coarsest linear meshes lie below the true surface: five blocks of a disc by 0.7 of a cell, seven
+  // of a ball by 1.8. Two cells away is outside.
   if (!(outside < 2)) throw std::invalid_argument(fmt::format("point ({}, {}, {}) lies in no cell", x[0], x[1], x[2]));
   return best;
 }

@@ -1,5 +1,10 @@
 #include "reference/full_model.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
 #include "reference/fem/assembly.h"
 #include "reference/fem/discretisation.h"
 #include "reference/fem/evaluation.h"
@@ -9,21 +14,42 @@ namespace mb {
 
 namespace {
 
+// C phi_i = 2 zeta_i omega_i M phi_i for the modes whose ratios are stated, by what Rayleigh damping leaves to add.
+ModalDamping ratios_as_damping(const System& s, const std::vector<double>& ratios, const ModeSolver& modes) {
+  if (!modes) throw std::invalid_argument("damping ratios of single modes: full order needs a solver for its modes");
+  if (!std::all_of(ratios.begin(), ratios.end(), [](double zeta) { return zeta >= 0 && zeta <= 10; }))
+    throw std::invalid_argument("damping ratios must lie in [0, 10]");
+  const Index n_ratios = static_cast<Index>(ratios.size());
+  const Modes found = modes(s, static_cast<int>(n_ratios));
+  const Index n = found.size() - found.n_rigid;
+  if (n < n_ratios) throw std::invalid_argument(fmt::format("{} damping ratios, but only {} modes", n_ratios, n));
+  ModalDamping damping{s.M * found.Phi.rightCols(n), VectorXd(n)};
+  for (Index i = 0; i < n; ++i) {
+    const double omega = found.omega[found.n_rigid + i], zeta = ratios[static_cast<size_t>(std::min(i, n_ratios - 1))];
+    damping.d[i] = 2 * zeta * omega - s.damping.alpha - s.damping.beta * omega * omega;
+  }
+  return damping;
+}
+
 class DealiiModel final : public FullModel {
  public:
-  DealiiModel(const Scene& scene, const Body& body, const Resolution& resolution)
+  DealiiModel(const Scene& scene, const Body& body, const Resolution& resolution, const ModeSolver& modes)
       : mesh_(body.shape, resolution), supports_(fem::condense(mesh_, body.supports)) {
     const fem::Matrices full = fem::assemble(mesh_, body.material);
     const SparseMatrix& T = supports_.T;
     const bool unsupported = body.supports.empty();
     system_.M = unsupported ? full.M : SparseMatrix(T.transpose() * full.M * T);
     system_.K = unsupported ? full.K : SparseMatrix(T.transpose() * full.K * T);
+    system_.lumped_mass = T.transpose() * fem::lumped_mass(mesh_, body.material.density).asDiagonal() * T;
     system_.damping = body.damping;
     system_.R = fem::free_rigid_modes(mesh_, supports_, system_.M);
-    system_.F = T.transpose() * loads(scene, body);
-    for (const Load& load : scene.loads) system_.s.push_back(load.history);
+    apply_loads(scene, body, full.M);
     system_.u0 = system_.v0 = VectorXd::Zero(T.cols());
     mesh_volume_ = full.mesh_volume;
+    if (!body.damping_ratios.empty())
+      system_.modal_damping = ratios_as_damping(system_, body.damping_ratios, modes);
+    else
+      system_.modal_damping.W = MatrixXd(T.cols(), 0);
   }
 
   const System& system() const override { return system_; }
@@ -31,17 +57,26 @@ class DealiiModel final : public FullModel {
     return fem::displacement_at(mesh_, points) * supports_.T;
   }
   SparseMatrix strain_at(const Matrix3Xd& points) const override { return fem::strain_at(mesh_, points) * supports_.T; }
+  MatrixXd polynomials(int degree) const override { return fem::polynomials(mesh_, supports_, degree); }
   Index n_cells() const override { return mesh_.mesh.n_active_cells(); }
   double mesh_volume() const override { return mesh_volume_; }
 
  private:
-  MatrixXd loads(const Scene& scene, const Body& body) const {
-    MatrixXd F = MatrixXd::Zero(mesh_.n_dofs(), static_cast<Index>(scene.loads.size()));
-    for (size_t l = 0; l < scene.loads.size(); ++l)
-      for (const Traction& traction : scene.loads[l].tractions)
-        if (traction.body == body.name)
-          F.col(static_cast<Index>(l)) += fem::patch_load(mesh_, traction.patch, traction.traction);
-    return F;
+  void apply_loads(const Scene& scene, const Body& body, const SparseMatrix& M_full) {
+    const std::optional<Drive> drive = fem::common_drive(body.supports);
+    const Index n_loads = static_cast<Index>(scene.loads.size());
+    MatrixXd F = MatrixXd::Zero(mesh_.n_dofs(), n_loads + (drive ? 1 : 0));
+    for (Index l = 0; l < n_loads; ++l) {
+      const Load& load = scene.loads[static_cast<size_t>(l)];
+      for (const Traction& t : load.tractions)
+        if (t.body == body.name) F.col(l) += fem::patch_load(mesh_, t.patch, t.traction, t.pressure);
+      system_.s.push_back(load.history);
+    }
+    if (drive) {
+      F.col(n_loads) = -(M_full * fem::translation(mesh_, drive->direction));
+      system_.s.push_back(drive->acceleration);
+    }
+    system_.F = supports_.T.transpose() * F;
   }
 
   fem::Discretisation mesh_;
@@ -52,14 +87,15 @@ class DealiiModel final : public FullModel {
 
 }  // namespace
 
-std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body, const Resolution& resolution) {
-  return std::make_shared<DealiiModel>(scene, body, resolution);
+std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body, const Resolution& resolution,
+                                            const ModeSolver& modes) {
+  return std::make_shared<DealiiModel>(scene, body, resolution, modes);
 }
 
-Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resolution) {
+Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resolution, const ModeSolver& modes) {
   Model model{scene, {}};
   for (const Body& body : scene->bodies) {
-    const auto full = full_model(*scene, body, resolution ? *resolution : body.resolution);
+    const auto full = full_model(*scene, body, resolution ? *resolution : body.resolution, modes);
     const EvaluationPoints points = evaluation_points(*scene, body);
     model.bodies.push_back({full, points, full->displacement_at(points.all()), full->strain_at(points.volume.points)});
   }

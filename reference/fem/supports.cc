@@ -1,5 +1,6 @@
 #include "reference/fem/supports.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "reference/fem/assembly.h"
@@ -10,11 +11,26 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
+// Components, 1 or 0, which the support holds at every node of its face.
+Vector3d held_components(const Shape& shape, const Support& support) {
+  switch (support.kind) {
+    case Support::Kind::fixed:
+    case Support::Kind::driven:
+      return Vector3d::Ones();
+    case Support::Kind::sliding:
+      return plane_normal(shape, support.patch.face).cwiseAbs();
+    case Support::Kind::diaphragm:
+      return Vector3d::Ones() - plane_normal(shape, support.patch.face).cwiseAbs();
+    case Support::Kind::mean:
+      return Vector3d::Zero();
+  }
+  throw std::invalid_argument("no such kind of support");
+}
+
 // Marks the components of the face's nodes that the support holds at zero.
 void mark_fixed(const Discretisation& d, const Support& support, std::vector<bool>& fixed) {
   const auto id = static_cast<unsigned>(d.boundary_id(support.patch.face));
-  Vector3d held = Vector3d::Ones();
-  if (support.kind == Support::Kind::sliding) held = plane_normal(d.shape, support.patch.face).cwiseAbs();
+  const Vector3d held = held_components(d.shape, support);
   std::vector<dealii::types::global_dof_index> ids(d.element.n_dofs_per_face());
   for (const auto& cell : d.nodes.active_cell_iterators())
     for (const auto& face : cell->face_iterators()) {
@@ -65,6 +81,37 @@ MatrixXd rigid_motions(const Discretisation& d) {
   return R;
 }
 
+// Combinations of the fields' columns (at least as many rows) that T reproduces from their values at the free degrees
+// of freedom: those values, n_free x m, and m maybe 0.
+MatrixXd admitted(const Supports& supports, const MatrixXd& fields) {
+  const Index k = fields.cols();
+  MatrixXd free(static_cast<Index>(supports.kept.size()), k);
+  for (Index i = 0; i < free.rows(); ++i) free.row(i) = fields.row(supports.kept[static_cast<size_t>(i)]);
+  // fields c = T free c. Thin SVD through the k x k triangle.
+  const MatrixXd violation = fields - supports.T * free;
+  const MatrixXd triangle = violation.householderQr().matrixQR().topRows(k).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<MatrixXd> svd(triangle, Eigen::ComputeFullV);
+  Index m = 0;
+  while (m < k && svd.singularValues()[k - 1 - m] <= 1e-10 * fields.norm()) ++m;
+  return free * svd.matrixV().rightCols(m);
+}
+
+// Values at the nodes of orthonormal combinations of x^i y^j z^k, i + j + k <= degree, about the centre: n_nodes x m.
+MatrixXd scalar_polynomials(const Discretisation& d, int degree) {
+  Matrix3Xd x = d.node_positions();
+  for (int i = 0; i < 3; ++i) x.row(i) /= x.row(i).cwiseAbs().maxCoeff();  // to [-1, 1]
+  MatrixXd P(x.cols(), (degree + 1) * (degree + 2) * (degree + 3) / 6);
+  Index column = 0;
+  for (int total = 0; total <= degree; ++total)
+    for (int i = total; i >= 0; --i)
+      for (int j = total - i; j >= 0; --j)
+        P.col(column++) =
+            (x.row(0).array().pow(i) * x.row(1).array().pow(j) * x.row(2).array().pow(total - i - j)).transpose();
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(P);
+  qr.setThreshold(1e-10);  // monomials of low degree on [-1, 1] are far from dependent, unless the nodes are too few
+  return qr.householderQ() * MatrixXd::Identity(P.rows(), qr.rank());
+}
+
 }  // namespace
 
 Supports condense(const Discretisation& d, const std::vector<Support>& supports) {
@@ -81,17 +128,35 @@ Supports condense(const Discretisation& d, const std::vector<Support>& supports)
   return result;
 }
 
+std::optional<Drive> common_drive(const std::vector<Support>& supports) {
+  std::optional<Drive> drive;
+  for (const Support& support : supports) {
+    if (support.drive.has_value() != (support.kind == Support::Kind::driven))
+      throw std::invalid_argument("driven supports, and no others, state a drive");
+    if (!support.drive) continue;
+    const auto& [direction, acceleration] = *support.drive;
+    if (!(std::abs(direction.norm() - 1) <= 1e-9))
+      throw std::invalid_argument("the direction of a drive must be of unit length");
+    if (drive && !(drive->direction == direction && drive->acceleration == acceleration))
+      throw std::invalid_argument("all driven supports of a body ride on one base: they must state the same drive");
+    drive = support.drive;
+  }
+  return drive;
+}
+
+VectorXd translation(const Discretisation& d, const Vector3d& direction) { return direction.replicate(d.n_nodes(), 1); }
+
+MatrixXd polynomials(const Discretisation& d, const Supports& supports, int degree) {
+  if (degree < 0) throw std::invalid_argument("polynomials: the degree must not be negative");
+  const MatrixXd scalar = scalar_polynomials(d, degree);
+  MatrixXd fields = MatrixXd::Zero(d.n_dofs(), 3 * scalar.cols());
+  for (Index a = 0; a < d.n_nodes(); ++a)
+    for (Index j = 0; j < scalar.cols(); ++j) fields.block<3, 3>(3 * a, 3 * j).diagonal().setConstant(scalar(a, j));
+  return admitted(supports, fields);
+}
+
 MatrixXd free_rigid_modes(const Discretisation& d, const Supports& supports, const SparseMatrix& M) {
-  const MatrixXd rigid = rigid_motions(d);
-  MatrixXd R(static_cast<Index>(supports.kept.size()), 6);
-  for (Index i = 0; i < R.rows(); ++i) R.row(i) = rigid.row(supports.kept[static_cast<size_t>(i)]);
-  // A combination c is free where T reproduces it: rigid c = T R c. Thin SVD through the 6 x 6 triangle.
-  const MatrixXd violation = rigid - supports.T * R;
-  const MatrixXd triangle = violation.householderQr().matrixQR().topRows<6>().triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<MatrixXd> svd(triangle, Eigen::ComputeFullV);
-  Index n_free = 0;
-  while (n_free < 6 && svd.singularValues()[5 - n_free] <= 1e-10 * rigid.norm()) ++n_free;
-  R = (R * svd.matrixV().rightCols(n_free)).eval();
+  MatrixXd R = admitted(supports, rigid_motions(d));
   for (int pass = 0; pass < 2; ++pass) {  // twice is enough: orthonormal to rounding
     const Eigen::LLT<MatrixXd> gram(R.transpose() * (M * R));
     gram.matrixU().solveInPlace<Eigen::OnTheRight>(R);

@@ -51,3 +51,43 @@ export function toJson(columns: Column[], rows: Cell[][]): string {
   );
   return JSON.stringify(objects, null, 1) + '\n';
 }
+
+const inTex: Record<string, string> = {
+  '\\': '\\textbackslash{}',
+  '~': '\\textasciitilde{}',
+  '^': '\\textasciicircum{}',
+  '<': '\\textless{}',
+  '>': '\\textgreater{}',
+  '|': '\\textbar{}',
+  '"': '\\textquotedbl{}',
+  '`': '\\textasciigrave{}',
+  '[': '{[}',
+  ']': '{]}',
+  '<=': '$\\le$',
+  '>=': '$\\ge$',
+  '±': '$\\pm$',
+  '✔': '$\\surd$',
+  '▲': '$\\triangle$',
+  '⚡': '$\\uparrow$',
+  '✘': '$\\times$',
+  '–': '--',
+};
+
+// As latex.cc writes it: what stands in a cell prints as itself.
+function texText(text: string): string {
+  return text.replace(/<=|>=|[\\~^<>|"`[\]±✔▲⚡✘–]|[{}$&#_%]|[\x00-\x1f\x7f]/g, (c) =>
+    c < ' ' || c === '\x7f' ? ' ' : (inTex[c] ?? `\\${c}`),
+  );
+}
+
+export function toLatex(caption: string, columns: Column[], rows: Cell[][]): string {
+  const line = (cells: string[]): string => `${cells.map((cell) => texText(cell) || '{}').join(' & ')} \\\\\n`;
+  return (
+    '% \\usepackage[T1]{fontenc} \\usepackage{booktabs,longtable,textcomp}\n' +
+    `\\begin{longtable}{${columns.map((column) => (column.kind === 'text' ? 'l' : 'r')).join('')}}\n` +
+    `\\caption{${texText(caption)}}\\\\\n\\toprule\n${line(columns.map(label))}` +
+    '\\midrule\\endhead\n\\bottomrule\\endfoot\n' +
+    rows.map((row) => line(row.map((cell) => cell[0]))).join('') +
+    '\\end{longtable}\n'
+  );
+}

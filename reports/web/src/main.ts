@@ -1,11 +1,13 @@
 // The page in reading order; text first, plots once the browser has painted.
-import { byId, make } from './dom';
-import { drawPlots } from './plots';
+import { announce, byId, make } from './dom';
+import { Findings } from './findings';
+import { drawFigure, drawPlots } from './plots';
 import { readReport } from './report';
 import type { Cell, Report, Table } from './report';
 import { Selectors } from './selectors';
 import { State } from './state';
 import { TableView } from './table';
+import type { TableOptions } from './table';
 import { drawVerdict } from './verdict';
 
 // A section without rows says so rather than showing an empty grid; sections that would only say "none" go.
@@ -25,6 +27,17 @@ function tableSection(
   if (empty) section.append(make('p', { class: 'empty' }, empty));
   else section.remove();
   return null;
+}
+
+// Sections by name. Buttons, as the hash keeps what the reader chose.
+function drawContents(): void {
+  const sections = [...document.querySelectorAll<HTMLElement>('main section')].filter((one) => one.id !== 'verdict');
+  const buttons = sections.map((section) => {
+    const button = make('button', { type: 'button', class: 'link' }, section.querySelector('h2')?.textContent ?? '');
+    button.addEventListener('click', () => section.scrollIntoView());
+    return make('li', {}, button);
+  });
+  byId('contents').append(make('ul', {}, ...buttons));
 }
 
 function drawCases(report: Report): void {
@@ -85,26 +98,33 @@ function start(): void {
     return row[0][0] === choice.case && row[1][0] === choice.profile && row[2][0] === selectors.truthName();
   };
   const common = { choose: ofChoice, hide: ['case', 'profile', 'truth'] };
+  // Tables of all three norms follow the chosen one; any other quantity leaves them whole.
+  const norms = new Set(report.tables['speed-up'].rows.map((row) => row[3][0]));
+  const ofNorm = (row: Cell[]): boolean =>
+    ofChoice(row) && (!norms.has(selectors.metric()) || row[3][0] === selectors.metric());
+  const show = (name: string, empty: string | null, options: TableOptions): TableView | null =>
+    tableSection(report, name, empty, (table) => new TableView(table, options));
+  const follow = (evidence: string): void => {
+    const target = document.getElementById(`finding-${evidence}`) ?? document.getElementById(evidence);
+    target?.scrollIntoView();
+    announce(target ? `moved to ${evidence}` : `${evidence} is not in this report`);
+  };
   const views = [
-    tableSection(
-      report,
-      'contenders',
-      'No contender has been graded.',
-      (table) => new TableView(table, { ...common, state, filter: true }),
-    ),
-    tableSection(
-      report,
-      'speed-up',
-      'No reduced run has both an error and a time.',
-      (table) => new TableView(table, common),
-    ),
-    tableSection(report, 'checks', 'No case states a check.', (table) => new TableView(table)),
-    tableSection(report, 'probes', null, (table) => new TableView(table, common)),
-    tableSection(report, 'failures', null, (table) => new TableView(table)),
+    show('matrix', 'Nothing was run.', {}),
+    show('contenders', 'No contender has been graded.', { ...common, state, filter: true }),
+    show('orders', null, { ...common, filter: true }),
+    show('speed-up', 'No reduced run has both an error and a time.', { ...common, choose: ofNorm }),
+    show('phases', null, { ...common, choose: ofNorm }),
+    show('claims', null, { link: { column: 'evidence', follow } }),
+    show('checks', 'No case states a check.', {}),
+    show('probes', null, common),
+    show('failures', null, {}),
   ];
+  const findings = new Findings(report.findings);
   drawCases(report);
   drawDefinitions(report);
   drawEnvironment(report);
+  drawContents();
 
   let drawn = '';
   const drawChosen = (force = false): void => {
@@ -112,8 +132,14 @@ function start(): void {
     const choice = JSON.stringify(selectors.choice());
     if (!force && choice === drawn) return;
     drawn = choice;
-    void drawPlots(report, selectors.choice()).then(() => {
+    const ofCase = selectors.choice();
+    void drawPlots(report, ofCase).then(async () => {
       document.documentElement.dataset.ready = choice;
+      await findings.draw(ofCase, force);
+      const bars = report.plots.speed_up;
+      byId('speed-up-figure').hidden = !bars;
+      if (bars && (force || !byId('speed-up-bars').firstChild)) await drawFigure(byId('speed-up-bars'), bars);
+      document.documentElement.dataset.figures = choice;
     });
   };
   state.onChange(() => {

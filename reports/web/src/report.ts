@@ -12,6 +12,7 @@ export interface Table {
   title: string;
   note: string;
   columns: Column[];
+  pools: ((Cell | string)[] | null)[];
   rows: Cell[][];
 }
 
@@ -19,10 +20,13 @@ export interface Run {
   case: string;
   profile: string;
   series: string;
+  family: string;
   run: string;
   reduced: boolean;
   mesh: string;
   unknowns: number;
+  against_modes: boolean;
+  against_step: boolean;
   r?: number;
   r_used?: number;
   time_step?: number;
@@ -32,12 +36,28 @@ export interface Run {
 export interface Quantity {
   metric: string;
   subject: string;
+  unit: string;
   title: string;
-  modes: object;
-  work: object;
 }
+export type Kind = 'work' | 'modes' | 'steps';
 // Indices into runs, quantities and truths; value null: failed.
 export type Measure = [run: number, quantity: number, truth: number, value: number | null, bar: number];
+// What legends say of a series; run: any of the case.
+export type Labels = [run: number, quantity: number, truth: number, kind: Kind, labels: Record<string, string>];
+
+// A specification with its data as rows: names of the fields stand once.
+export interface Figure {
+  name: string;
+  specification: Record<string, unknown>;
+  fields: string[];
+  rows: unknown[][];
+}
+export interface FindingGroup {
+  analysis: string;
+  heading: string;
+  before_speed_up: boolean;
+  tables: { case: string; profile: string; table: Table; figures: Figure[] }[];
+}
 
 export interface Report {
   schema: number;
@@ -66,11 +86,36 @@ export interface Report {
     samples_per_second: number;
   }[];
   tables: Record<string, Table>;
-  plots: { runs: Run[]; quantities: Quantity[]; truths: string[]; measures: Measure[] };
+  findings: FindingGroup[];
+  plots: {
+    runs: Run[];
+    quantities: Quantity[];
+    specifications: Record<Kind, object>;
+    speed_up: Figure | null;
+    labels: Labels[];
+    truths: string[];
+    measures: Measure[];
+  };
   definitions: [term: string, text: string][];
   commands: string[];
 }
 
+// Undoes what keeps the page small: pools of cells that recur, text alone without brackets, the status "ok" left out.
+function unpack(table: Table): void {
+  const { pools } = table;
+  for (const row of table.rows as (Cell | string | number)[][]) {
+    row.forEach((packed, j) => {
+      const cell = typeof packed === 'number' ? pools[j]![packed] : packed;
+      if (typeof cell === 'string') row[j] = [cell];
+      else if (cell.length === 3) row[j] = [cell[0], cell[1], cell[2], 'ok'];
+      else row[j] = cell;
+    });
+  }
+}
+
 export function readReport(): Report {
-  return JSON.parse(document.getElementById('report')!.textContent!) as Report;
+  const report = JSON.parse(document.getElementById('report')!.textContent!) as Report;
+  Object.values(report.tables).forEach(unpack);
+  for (const group of report.findings) group.tables.forEach((one) => unpack(one.table));
+  return report;
 }

@@ -12,69 +12,96 @@ export interface Choice {
 
 const groupName = (name: string, profile: string): string => `${name} (${profile})`;
 
+type Key = 'case' | 'norm' | 'truth';
+
 export class Selectors {
-  private groups: { case: string; profile: string; name: string }[] = [];
-  private menus: Record<'case' | 'norm' | 'truth', HTMLSelectElement>;
+  private groups: { case: string; profile: string; name: string; quantities: Set<number>; truths: Set<number> }[] = [];
+  private menus: Record<Key, HTMLSelectElement>;
 
   constructor(
     private report: Report,
     private state: State,
   ) {
-    for (const run of report.plots.runs) {
-      const name = groupName(run.case, run.profile);
-      if (!this.groups.some((group) => group.name === name))
-        this.groups.push({ case: run.case, profile: run.profile, name });
+    const { runs, measures } = report.plots;
+    const byName = new Map<string, (typeof this.groups)[number]>();
+    for (const [run, quantity, truth] of measures) {
+      const of = runs[run],
+        name = groupName(of.case, of.profile);
+      let group = byName.get(name);
+      if (!group) {
+        group = { case: of.case, profile: of.profile, name, quantities: new Set(), truths: new Set() };
+        byName.set(name, group);
+      }
+      group.quantities.add(quantity);
+      group.truths.add(truth);
     }
-    const norms = report.plots.quantities.map((one) => [
-      one.subject ? `${one.metric}:${one.subject}` : one.metric,
-      one.title,
-    ]);
+    this.groups = [...byName.values()];
     this.menus = {
-      case: this.menu(
-        'case',
-        'Case',
-        this.groups.map((group) => [group.name, group.name]),
-      ),
-      norm: this.menu('norm', 'Norm', norms),
-      truth: this.menu(
-        'truth',
-        'Truth',
-        report.plots.truths.map((truth) => [truth, truth]),
-      ),
+      case: this.menu('case', 'Case'),
+      norm: this.menu('norm', 'Norm'),
+      truth: this.menu('truth', 'Truth'),
     };
+    this.fill('case', this.groups.map((group) => [group.name, group.name]));
     byId('selectors').addEventListener('submit', (event) => event.preventDefault());
     this.follow();
   }
 
-  private menu(key: 'case' | 'norm' | 'truth', label: string, options: string[][]): HTMLSelectElement {
-    const select = make(
-      'select',
-      { id: `select-${key}` },
-      ...options.map(([value, text]) => make('option', { value }, text)),
-    );
+  private menu(key: Key, label: string): HTMLSelectElement {
+    const select = make('select', { id: `select-${key}` });
     select.addEventListener('change', () => this.state.set({ [key]: select.value }));
     byId('selectors').append(make('label', { for: select.id }, label), select);
     return select;
   }
 
-  // The hash may come from anywhere: what it names and is not on offer leaves the first choice.
+  private fill(key: Key, options: string[][]): void {
+    const select = this.menus[key];
+    const same = [...select.options].map((option) => option.value).join('\n') === options.map(([v]) => v).join('\n');
+    if (!same) select.replaceChildren(...options.map(([value, text]) => make('option', { value }, text)));
+  }
+
+  private group(): (typeof this.groups)[number] | undefined {
+    return this.groups[Math.max(0, this.menus.case.selectedIndex)];
+  }
+
+  private nameOf(quantity: number): string {
+    const one = this.report.plots.quantities[quantity];
+    return one.subject ? `${one.metric}:${one.subject}` : one.metric;
+  }
+
+  // What the hash names and the case does not offer: the same metric of another body, else the first choice.
+  private choose(key: Key): void {
+    const select = this.menus[key],
+      wanted = this.state.get(key),
+      values = [...select.options].map((option) => option.value);
+    const [metric] = wanted.split(':');
+    const alike = values.find((value) => value === wanted) ?? values.find((value) => value.split(':')[0] === metric);
+    if (values.length) select.value = alike ?? values[0];
+  }
+
   follow(): void {
-    for (const key of ['case', 'norm', 'truth'] as const) {
-      const wanted = this.state.get(key),
-        select = this.menus[key];
-      const known = [...select.options].some((option) => option.value === wanted);
-      if (select.options.length) select.value = known ? wanted : select.options[0].value;
-    }
+    const { quantities, truths } = this.report.plots;
+    this.choose('case');
+    const group = this.group();
+    const offered = quantities.map((_, i) => i).filter((i) => group?.quantities.has(i));
+    this.fill('norm', offered.map((i) => [this.nameOf(i), quantities[i].title]));
+    this.fill('truth', truths.filter((_, i) => group?.truths.has(i)).map((truth) => [truth, truth]));
+    this.choose('norm');
+    this.choose('truth');
   }
 
   choice(): Choice {
-    const group = this.groups[Math.max(0, this.menus.case.selectedIndex)];
+    const group = this.group();
+    const { quantities, truths } = this.report.plots;
     return {
       case: group?.case ?? '',
       profile: group?.profile ?? '',
-      quantity: Math.max(0, this.menus.norm.selectedIndex),
-      truth: Math.max(0, this.menus.truth.selectedIndex),
+      quantity: Math.max(0, quantities.findIndex((_, i) => this.nameOf(i) === this.menus.norm.value)),
+      truth: Math.max(0, truths.indexOf(this.menus.truth.value)),
     };
+  }
+
+  metric(): string {
+    return this.report.plots.quantities[this.choice().quantity]?.metric ?? '';
   }
 
   truthName(): string {

@@ -1,6 +1,6 @@
 // A table that sorts by its headings and filters by words. Sorting compares full-precision values, failed runs last.
 import { announce, make } from './dom';
-import { download, toCsv, toJson } from './download';
+import { download, toCsv, toJson, toLatex } from './download';
 import type { Cell, Column, Table } from './report';
 import type { State } from './state';
 
@@ -10,9 +10,22 @@ const marks: Record<string, [symbol: string, className: string]> = {
   no: ['✘', 'bad'],
   holds: ['✔', 'good'],
   'does not hold': ['✘', 'bad'],
+  'holds within stated limits': ['◐', 'warn'],
+  faster: ['✔', 'good'],
+  slower: ['✘', 'bad'],
+  'within noise': ['≈', 'faint'],
+};
+// Cells of the matrix begin with their symbol.
+const moods: Record<string, string> = {
+  '✔': 'good',
+  '▲': 'warn',
+  '⚡': 'bad',
+  '✘': 'bad',
+  '–': 'faint',
+  '?': 'faint',
 };
 
-const faint = new Set(['none reached', 'undefined']);
+const faint = new Set(['none reached', 'undefined', 'not measured here', 'n/a', 'none']);
 
 function compare(a: Cell, b: Cell): number {
   const x = a[1],
@@ -32,7 +45,8 @@ function body(column: Column, cell: Cell): HTMLTableCellElement {
       .join(' '),
     'data-value': cell[1] == null ? undefined : String(cell[1]),
   });
-  const mark = marks[text];
+  if (/^[✔▲⚡✘–?] /.test(text)) element.classList.add(moods[text[0]]);
+  const mark = marks[text] ?? (text.startsWith('does not hold') ? marks['does not hold'] : undefined);
   if (mark) {
     element.classList.add(mark[1]);
     element.append(make('span', { 'aria-hidden': 'true' }, mark[0]), ` ${text}`);
@@ -47,6 +61,7 @@ export interface TableOptions {
   choose?: (row: Cell[]) => boolean;
   hide?: string[];
   filter?: boolean;
+  link?: { column: string; follow: (text: string) => void };
 }
 
 export class TableView {
@@ -74,12 +89,25 @@ export class TableView {
       this.button('JSON', () =>
         download(`${table.name}.json`, 'application/json', toJson(this.columns(), this.visible())),
       ),
+      this.button('LaTeX', () => {
+        const shown = this.shown(this.chosen());
+        const pick = <T>(list: T[]): T[] => shown.map((j) => list[j]);
+        const caption = [table.title, table.note].filter(Boolean).join('. ');
+        download(
+          `${table.name}.tex`,
+          'application/x-tex',
+          toLatex(caption, pick(this.columns()), this.visible().map(pick)),
+        );
+      }),
       this.count,
     );
     const scroller = make('div', { class: 'scroller', tabindex: '0', role: 'region', 'aria-label': table.title }, grid);
     this.element = make('div', { class: 'table' }, tools, scroller);
     if (table.note) this.element.append(make('p', { class: 'note' }, table.note));
-    this.input.addEventListener('input', () => this.options.state?.set({ filter: this.input.value }));
+    this.input.addEventListener('input', () => {
+      if (this.options.state) this.options.state.set({ filter: this.input.value });
+      else this.draw();
+    });
     this.draw();
   }
 
@@ -91,6 +119,14 @@ export class TableView {
     );
     button.addEventListener('click', action);
     return button;
+  }
+
+  private linked(j: number, cell: Cell): HTMLTableCellElement | null {
+    const { link } = this.options;
+    if (!link || this.table.columns[j].name !== link.column || !cell[0]) return null;
+    const button = make('button', { type: 'button', class: 'link' }, cell[0]);
+    button.addEventListener('click', () => link.follow(cell[0]));
+    return make('td', {}, button);
   }
 
   private columns(): Column[] {
@@ -177,8 +213,7 @@ export class TableView {
     this.head.replaceChildren(make('tr', {}, ...shown.map((j) => this.heading(j))));
     this.rows.replaceChildren(
       ...rows.map((row) => {
-        const tr = make('tr', {}, ...shown.map((j) => body(this.table.columns[j], row[j])));
-        return tr;
+        return make('tr', {}, ...shown.map((j) => this.linked(j, row[j]) ?? body(this.table.columns[j], row[j])));
       }),
     );
     this.count.textContent = `${rows.length} of ${this.chosen().length} rows`;

@@ -1,4 +1,4 @@
-#include "mechanics/system/mass_product.h"
+#include "mechanics/system/symmetric_product.h"
 
 namespace mb {
 
@@ -27,11 +27,27 @@ SparseMatrix per_node(const SparseMatrix& M) {
 
 }  // namespace
 
-MassProduct::MassProduct(const SparseMatrix& M) : M_(&M), m_(per_node(M)) {}
+bool is_diagonal(const SparseMatrix& A) {
+  for (Index j = 0; j < A.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry)
+      if (entry.row() != entry.col() && entry.value() != 0) return false;
+  return true;
+}
 
-void MassProduct::operator()(const VectorXd& x, VectorXd& y) const {
+SymmetricProduct::SymmetricProduct(const SparseMatrix& A) : A_(&A), is_diagonal_(is_diagonal(A)) {
+  if (is_diagonal_)
+    diagonal_ = A.diagonal();
+  else
+    m_ = per_node(A);
+}
+
+void SymmetricProduct::operator()(const VectorXd& x, VectorXd& y) const {
+  if (is_diagonal_) {
+    y.noalias() = diagonal_.cwiseProduct(x);
+    return;
+  }
   if (m_.rows() == 0) {
-    y.noalias() = M_->transpose() * x;  // symmetric: the transposed product gathers, which is faster
+    y.noalias() = A_->transpose() * x;  // symmetric: the transposed product gathers, which is faster
     return;
   }
   const int* const row = m_.innerIndexPtr();

@@ -1,4 +1,4 @@
-#include "mechanics/system/mass_product.h"
+#include "mechanics/system/symmetric_product.h"
 
 #include <gtest/gtest.h>
 
@@ -18,12 +18,22 @@ SparseMatrix kronecker(const SparseMatrix& m) {
 void expect_product(const SparseMatrix& M) {
   const VectorXd x = VectorXd::LinSpaced(M.rows(), -1, 2), expected = M * x;
   VectorXd y = VectorXd::Constant(M.rows(), 7);  // what was there must not matter
-  const MassProduct product(M);
+  const SymmetricProduct product(M);
   product(x, y);
-  EXPECT_LE((y - expected).cwiseAbs().maxCoeff(), 1e-14 * expected.cwiseAbs().maxCoeff());
+  EXPECT_LE((y - expected).lpNorm<Eigen::Infinity>(), 1e-14 * expected.lpNorm<Eigen::Infinity>());
 }
 
-TEST(MassProduct, EqualsTheMatrixWhateverItsForm) {
+TEST(SymmetricProduct, KnowsDiagonalMatrices) {
+  SparseMatrix A(3, 3);
+  A.insert(0, 0) = 2;
+  EXPECT_TRUE(is_diagonal(A));
+  A.insert(1, 0) = 0;
+  EXPECT_TRUE(is_diagonal(A));
+  A.coeffRef(1, 0) = 1e-300;
+  EXPECT_FALSE(is_diagonal(A));
+}
+
+TEST(SymmetricProduct, EqualsTheMatrixWhateverItsForm) {
   SparseMatrix m(4, 4);
   const std::vector<Eigen::Triplet<double>> entries = {{0, 0, 4}, {1, 1, 3}, {2, 2, 5},  {3, 3, 2},
                                                        {0, 2, 1}, {2, 0, 1}, {1, 3, -1}, {3, 1, -1}};
@@ -37,6 +47,13 @@ TEST(MassProduct, EqualsTheMatrixWhateverItsForm) {
   expect_product(M);
   expect_product(m);  // four degrees of freedom: no nodes of three
   expect_product(kronecker(SparseMatrix(m.topLeftCorner(2, 2))));
+  m.prune([](Index i, Index j, double) { return i == j; });
+  expect_product(m);
+  expect_product(kronecker(m));
+  m.coeffRef(0, 3) = m.coeffRef(3, 0) = 0;  // zeros that are stored
+  m.makeCompressed();
+  expect_product(m);
+  expect_product(SparseMatrix(0, 0));
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+#include <benchmark/benchmark.h>
+
+#include <iostream>
+
+#include "benchmarks/one_thread.h"
+#include "mechanics/algebra/threads.h"
+
+int main(int argc, char** argv) {
+  mb::on_one_thread();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::AddCustomContext("blas", mb::blas_description());
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

@@ -1,0 +1,21 @@
+#include "cases/exact/exact.h"
+
+#include <stdexcept>
+
+#include "cases/exact/rod_step.h"
+#include "cases/exact/sphere_pulse.h"
+
+namespace mb {
+
+const std::vector<ExactSolution>& exact_solutions() {
+  static const std::vector<ExactSolution> solutions = {rod_step(), sphere_radial_pulse()};
+  return solutions;
+}
+
+const ExactSolution& exact_solution(const std::string& name) {
+  for (const ExactSolution& solution : exact_solutions())
+    if (solution.name == name) return solution;
+  throw std::out_of_range("no closed form is called " + name);
+}
+
+}  // namespace mb

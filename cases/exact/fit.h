@@ -1,0 +1,27 @@
+// Why a scene is not the one a closed form holds for: every reason that applies, in one sentence.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/scene/scene.h"
+
+namespace mb {
+
+class Misfit {
+ public:
+  void require(bool holds, const std::string& reason) {
+    if (!holds) reasons_.push_back(reason);
+  }
+  bool empty() const { return reasons_.empty(); }
+  std::string text() const;  // "" or "reason; reason"
+
+ private:
+  std::vector<std::string> reasons_;
+};
+
+// What every closed form here asks for: one body, isotropic and undamped, under one load of one whole face of it.
+// Where this misfits, there may be no load to look at.
+Misfit one_loaded_undamped_body(const Scene& scene);
+
+}  // namespace mb

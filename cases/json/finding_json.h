@@ -1,0 +1,23 @@
+// Findings as JSON (cases/contract/finding.h), schema 1, one object a table:
+//
+//   {"schema":1,"run":"<32 hex digits>","analysis":"step-limits","name":"step-limits","title":"...","note":"...",
+//    "case":"cylinder-shear","profile":"quick","columns":[{"name":"modes","unit":""},{"name":"limit","unit":"s"}],
+//    "rows":[[8,0.0123],["full",{"special":"inf"}]],"provenance":{"commit":"...",...}}
+//
+// NaN and infinities, which JSON lacks, are the objects {"special": "nan"}, {"special": "inf"}, {"special": "-inf"}.
+#pragma once
+
+#include "cases/contract/finding.h"
+#include "cases/json/json.h"
+
+namespace mb {
+
+inline constexpr int finding_schema = 1;
+
+// Bounds: 1 to 64 columns, at most 100,000 rows, each as long as columns, texts of at most 4096 bytes.
+// Throws std::invalid_argument where the finding is out of bounds, so that nothing unreadable is ever written.
+Json to_json(const Finding& finding);
+// Throws std::runtime_error that names the key, on what is missing, unknown, of the wrong type or out of bounds.
+Finding finding_from_json(const Json& json);
+
+}  // namespace mb

@@ -1,0 +1,193 @@
+#include "cases/scene/read_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cases/scene/resolution.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double most_steps = 1e6;  // of one run: a day of stepping even for a small model
+constexpr double most_runs = 1000;
+
+bool is_among(const std::string& word, const std::vector<std::string>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+void check_ascending(const std::vector<Located<int>>& numbers, const std::string& key, Findings& findings) {
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    if (numbers[i].value > numbers[i - 1].value) continue;
+    findings.error(numbers[i].where,
+                   fmt::format("'{}' must ascend: {} follows {}", key, numbers[i].value, numbers[i - 1].value));
+  }
+}
+
+void check_meshes(const Rival& rival, const std::vector<Located<std::vector<int>>>& cells,
+                  const std::vector<BodyDraft>& bodies, Findings& findings) {
+  const int degree = rival.degrees.empty() ? 1 : rival.degrees.back();
+  for (const BodyDraft& body : bodies) {
+    if (!body.shape) continue;
+    for (const auto& entry : cells) check_mesh(*body.shape, {degree, entry.value}, entry.where, findings);
+  }
+}
+
+// Integrators that step in time: the closed form has neither a step nor a tolerance.
+std::string read_integrator(Section& section, const Vocabulary& vocabulary) {
+  Words words{vocabulary.integrators, "stepping integrator", "stepping integrators"};
+  std::erase(words.known, "exact");
+  return section.choice("integrator", words).value_or("");
+}
+
+struct Accuracy {
+  std::vector<double> time_steps, relative_tolerances;
+  std::size_t size() const { return time_steps.size() + relative_tolerances.size(); }
+};
+
+// Time steps of an integrator with fixed ones, tolerances of one that chooses its own.
+Accuracy read_accuracy(Section& section, const std::string& integrator, const RunContext& context) {
+  const bool adaptive = is_among(integrator, context.vocabulary.adaptive_integrators);
+  const char* const own = adaptive ? "relative_tolerances" : "time_steps";
+  const char* const other = adaptive ? "time_steps" : "relative_tolerances";
+  const bool is_known = !integrator.empty();
+  if (section.has(other) && is_known) {
+    section.findings().error(section.where_key(other),
+                             fmt::format("integrator '{}' takes '{}', not '{}'", integrator, own, other));
+    if (!section.has(own)) return {};  // once is enough
+  }
+  if (!section.has(own) && !is_known) return {};
+  const Range steps{context.duration / most_steps, context.duration, "s"};
+  const auto values = section.numbers(own, adaptive ? Range{1e-12, 1e-2} : steps, {1, 64});
+  Accuracy accuracy;
+  (adaptive ? accuracy.relative_tolerances : accuracy.time_steps) = values.value_or(std::vector<double>{});
+  return accuracy;
+}
+
+Rival read_rival(Section section, const RunContext& context) {
+  Rival rival;
+  rival.integrator = read_integrator(section, context.vocabulary);
+  const auto degrees = section.integers("degrees", degree_range, {1, 4});
+  if (degrees) check_ascending(*degrees, "degrees", section.findings());
+  rival.degrees = values_of(degrees);
+  const auto cells = section.integer_lists("cells", any_cells_range, {1, 64}, {1, 3});
+  rival.cells = values_of(cells);
+  if (cells) check_meshes(rival, *cells, context.bodies, section.findings());
+  Accuracy accuracy = read_accuracy(section, rival.integrator, context);
+  rival.time_steps = std::move(accuracy.time_steps);
+  rival.relative_tolerances = std::move(accuracy.relative_tolerances);
+  section.finish();
+  return rival;
+}
+
+Stepping read_stepping(Section section, const RunContext& context) {
+  Stepping stepping;
+  stepping.integrator = read_integrator(section, context.vocabulary);
+  const auto methods = read_methods(section, context.vocabulary);
+  stepping.methods = values_of(methods);
+  const bool has_modes = section.has("modes");
+  if (methods && !take_modes(*methods, context.vocabulary)) {
+    if (has_modes) {
+      section.findings().error(section.where_key("modes"), "'modes' is of no use: no method here takes a mode count");
+    }
+  } else if (methods || has_modes) {
+    const auto modes = read_modes(section);
+    if (modes) check_mode_counts(*modes, context.bodies, section.findings());
+    stepping.modes = values_of(modes);
+  }
+  Accuracy accuracy = read_accuracy(section, stepping.integrator, context);
+  stepping.time_steps = std::move(accuracy.time_steps);
+  stepping.relative_tolerances = std::move(accuracy.relative_tolerances);
+  section.finish();
+  return stepping;
+}
+
+double n_runs(const Rival& rival) {
+  return static_cast<double>(rival.degrees.size() * rival.cells.size() *
+                             (rival.time_steps.size() + rival.relative_tolerances.size()));
+}
+
+double n_runs(const Stepping& stepping, const Vocabulary& vocabulary) {
+  double n = 0;
+  for (const std::string& method : stepping.methods) {
+    n += takes_modes(method, vocabulary) ? static_cast<double>(stepping.modes.size()) : 1;
+  }
+  return n * static_cast<double>(stepping.time_steps.size() + stepping.relative_tolerances.size());
+}
+
+void check_runs(Section& section, const char* key, double n) {
+  if (n <= most_runs) return;
+  section.error(key, fmt::format("{} {} runs: at most {}", n, key, most_runs));
+}
+
+}  // namespace
+
+std::optional<std::vector<Located<std::string>>> read_unlike(Section& section, const std::string& key,
+                                                             const Words& words) {
+  const auto found = section.choices(key, words, {1, 64});
+  if (!found) return std::nullopt;
+  for (auto here = found->begin(); here != found->end(); ++here) {
+    if (std::any_of(found->begin(), here, [&](const auto& other) { return other.value == here->value; })) {
+      section.findings().error(here->where, fmt::format("'{}' is listed twice", here->value));
+    }
+  }
+  return found;
+}
+
+std::optional<Methods> read_methods(Section& section, const Vocabulary& vocabulary) {
+  Words reduced{vocabulary.methods, "reduced method", "reduced methods"};
+  std::erase(reduced.known, "full-order");  // a rival, not a method that is swept over mode counts
+  return read_unlike(section, "methods", reduced);
+}
+
+bool takes_modes(const std::string& method, const Vocabulary& vocabulary) {
+  return !is_among(method, vocabulary.methods_without_modes);
+}
+
+bool take_modes(const Methods& methods, const Vocabulary& vocabulary) {
+  return std::any_of(methods.begin(), methods.end(),
+                     [&](const auto& method) { return takes_modes(method.value, vocabulary); });
+}
+
+std::optional<ModeCounts> read_modes(Section& section) {
+  const auto modes = section.integers("modes", {0, 4096}, {1, 64});
+  if (modes) check_ascending(*modes, "modes", section.findings());
+  return modes;
+}
+
+void check_mode_counts(const ModeCounts& modes, const std::vector<BodyDraft>& bodies, Findings& findings) {
+  for (const BodyDraft& body : bodies) {
+    if (!body.shape || !body.resolution) continue;
+    const double most = n_dofs(*body.shape, *body.resolution) - 6;
+    for (const auto& entry : modes) {
+      if (entry.value <= most) continue;
+      findings.error(entry.where, fmt::format("{} elastic modes: {} of body '{}' has at most {:.0f}", entry.value,
+                                              to_string(*body.resolution), body.name.value_or(""), most));
+    }
+  }
+}
+
+std::vector<Rival> read_rivals(Section& section, const RunContext& context) {
+  std::vector<Rival> rivals;
+  double n = 0;
+  for (Section& entry : section.sections("rival", {0, 16})) {
+    rivals.push_back(read_rival(entry, context));
+    n += n_runs(rivals.back());
+  }
+  check_runs(section, "rival", n);
+  return rivals;
+}
+
+std::vector<Stepping> read_steppings(Section& section, const RunContext& context) {
+  std::vector<Stepping> steppings;
+  double n = 0;
+  for (Section& entry : section.sections("stepping", {0, 16})) {
+    steppings.push_back(read_stepping(entry, context));
+    n += n_runs(steppings.back(), context.vocabulary);
+  }
+  check_runs(section, "stepping", n);
+  return steppings;
+}
+
+}  // namespace mb

@@ -1,0 +1,41 @@
+// The analyses themselves, as analysis_catalogue() lists them. All look at the scene's first body, on the mesh of its
+// modal contenders. Names of their tables and of the columns, which reports look up:
+//
+//   step-limits               system | modes r | scheme | integrator | omega max | zeta | formula | dt formula |
+//                             dt measured | measured / formula | omega deciding
+//   step-limit-runs           system | modes r | scheme | integrator | dt / limit | dt | steps | growth by theory |
+//                             growth observed | difference | verdict
+//   step-limit-exponents      claim | scheme | limits fitted | exponent | standard error | claimed | verdict
+//   aliasing                  frame rate | frames | contender | modes r | shutter | sub-samples | aliasing | droop |
+//                             low-band error | frame error
+//   aliasing-claim            claim | frame rate | energy above F/2 | aliasing full order | aliasing cut modal |
+//                             low-band error cut modal | frame error full order | frame error cut modal |
+//                             sub-samples needed | verdict
+//   aliasing-modes            frame rate | mode | frequency | apparent frequency | energy above F/2
+//   budget                    method | modes r | integrator | setting | part | M norm | K norm
+//   budget-cross-terms        method | modes r | integrator | setting | parts | M norm | K norm
+//   frequency-response        load | contender | modes r | frequency | amplitude | phase
+//   frequency-response-error  load | contender | modes r | error | largest deviation | at
+//   damping                   mode | frequency | zeta asked | zeta full | zeta reduced | zeta by decay | coupling
+//   frequencies               mode | reference | frequency | error | error Q2 4x4x4 | ... | order
+//   probe-extremes            probe | truth | largest | at (largest) | smallest | at (smallest) | static |
+//                             largest/static
+//   mode-amplitudes           mode | frequency | omega | fixed energy | fixed force | fixed impulse
+//   mode-amplitude-exponents  claim | held fixed | modes fitted | exponent | standard error | theory | claimed |
+//                             verdict
+#pragma once
+
+#include "harness/analysis/analysis.h"
+
+namespace mb {
+
+std::vector<Finding> error_budget(const AnalysisContext& context);
+std::vector<Finding> step_limits(const AnalysisContext& context);
+std::vector<Finding> temporal_aliasing(const AnalysisContext& context);
+std::vector<Finding> frequency_responses(const AnalysisContext& context);
+std::vector<Finding> mode_amplitudes(const AnalysisContext& context);
+std::vector<Finding> achieved_damping(const AnalysisContext& context);
+std::vector<Finding> natural_frequencies(const AnalysisContext& context);
+std::vector<Finding> probe_extremes(const AnalysisContext& context);
+
+}  // namespace mb

@@ -1,0 +1,30 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include "harness/analysis/analyses.h"
+
+namespace mb {
+
+const std::vector<Analysis>& analysis_catalogue() {
+  static const std::vector<Analysis> all{
+      {"budget", "which part of an answer's error is due to the step, to truncation and to the mesh", &error_budget},
+      {"step-limits", "largest stable steps of explicit schemes, by formula, by bisection and by runs", &step_limits},
+      {"aliasing", "what frames make of motion too fast for them, and what it takes to avoid it", &temporal_aliasing},
+      {"frequency-response", "steady response at the first probe over frequency, full against reduced",
+       &frequency_responses},
+      {"mode-amplitudes", "how a mode's displacement falls with its frequency for fixed energy, force and impulse",
+       &mode_amplitudes},
+      {"damping", "damping ratios asked for and achieved, mode by mode", &achieved_damping},
+      {"frequencies", "natural frequencies against published ones, with observed order", &natural_frequencies},
+      {"probe-extremes", "largest and smallest probe values, when, and the static ones", &probe_extremes}};
+  return all;
+}
+
+const Analysis& analysis(const std::string& name) {
+  const std::vector<Analysis>& all = analysis_catalogue();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Analysis& a) { return a.name == name; });
+  if (found == all.end()) throw std::out_of_range("no analysis '" + name + "'");
+  return *found;
+}
+
+}  // namespace mb

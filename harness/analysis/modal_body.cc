@@ -1,0 +1,73 @@
+#include "harness/analysis/modal_body.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "modal/bases/eigenmodes.h"
+
+namespace mb {
+
+Modes leading(const Modes& modes, int n_elastic) {
+  Index n = std::min(modes.size(), modes.n_rigid + n_elastic);
+  const VectorXd lambda = modes.omega.array().square();
+  while (n > modes.n_rigid && n < modes.size() && lambda(n) - lambda(n - 1) <= multiplet_gap * lambda(n)) ++n;
+  return {modes.n_rigid, modes.omega.head(n), modes.Phi.leftCols(n), modes.residual.head(n), modes.lambda_max};
+}
+
+VectorXd damping_ratios(const System& system, const Modes& modes) {
+  const Index n_elastic = modes.size() - modes.n_rigid;
+  VectorXd zeta(n_elastic);
+  for (Index i = 0; i < n_elastic; ++i) {
+    const VectorXd phi = modes.Phi.col(modes.n_rigid + i);
+    zeta(i) = phi.dot(apply_damping(system, phi)) / (2 * modes.omega(modes.n_rigid + i));
+  }
+  return zeta;
+}
+
+ModalBody modal_body(const AnalysisContext& context, int n_elastic) {
+  const Body& body = context.scene->bodies.front();
+  const Model& scene_model = context.model(body.resolution);
+  const BodyModel& model = scene_model.bodies.front();
+  const System& system = model.full->system();
+  ShiftedFactor shifted = shifted_factor(system, physical_shift(body));
+  Modes modes = lowest_modes(system, n_elastic, shifted);
+  return {scene_model, model, system, std::move(shifted), std::move(modes)};
+}
+
+std::vector<int> mode_counts(const AnalysisContext& context) {
+  const Scene& scene = *context.scene;
+  std::set<int> all(scene.study.modes.begin(), scene.study.modes.end());
+  for (const Stepping& stepping : scene.study.steppings) all.insert(stepping.modes.begin(), stepping.modes.end());
+  const Index n = context.model(scene.bodies.front().resolution).bodies.front().full->system().K.rows();
+  std::vector<int> counts;
+  for (const int r : all)
+    if (r > 0 && 3 * r <= n) counts.push_back(r);
+  if (counts.empty()) counts.push_back(1);
+  return counts;
+}
+
+std::vector<int> few(const std::vector<int>& counts, int n_wanted) {
+  const auto n = static_cast<int>(counts.size());
+  if (n <= n_wanted) return counts;
+  std::vector<int> picked;
+  for (int i = 0; i < n_wanted; ++i) picked.push_back(counts[static_cast<size_t>(i * (n - 1) / (n_wanted - 1))]);
+  return picked;
+}
+
+bool is_free(const AnalysisContext& context) { return context.scene->bodies.front().supports.empty(); }
+
+Finding table(std::string analysis, std::string name, std::string title, std::string note,
+              std::vector<FindingColumn> columns) {
+  Finding finding;
+  finding.analysis = std::move(analysis);
+  finding.name = std::move(name);
+  finding.title = std::move(title);
+  finding.note = std::move(note);
+  finding.columns = std::move(columns);
+  return finding;
+}
+
+FindingCell not_applicable() { return std::numeric_limits<double>::quiet_NaN(); }
+
+}  // namespace mb

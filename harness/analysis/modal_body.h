@@ -1,0 +1,47 @@
+// The body under analysis with its lowest modes, solved for once and cut as often as asked.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "cases/contract/finding.h"
+#include "cases/contract/modes.h"
+#include "harness/analysis/analysis.h"
+#include "mechanics/system/static_response.h"
+
+namespace mb {
+
+// The first n_elastic elastic modes and all rigid ones; more where a multiplet would be cut, by the rule of
+// lowest_modes; fewer where there are no more.
+Modes leading(const Modes& modes, int n_elastic);
+
+// zeta_i = phi_i^T C phi_i / (2 omega_i) of the elastic modes, by the damping operator of the system.
+VectorXd damping_ratios(const System& system, const Modes& modes);
+
+struct ModalBody {
+  const Model& scene_model;  // valid until the context is asked for a model again
+  const BodyModel& model;    // its first body
+  const System& system;
+  ShiftedFactor shifted;
+  Modes modes;
+};
+// With n_elastic elastic modes, if the body has as many.
+ModalBody modal_body(const AnalysisContext& context, int n_elastic);
+
+// Mode counts of the study, closed form and steppings together, ascending, without 0 and those beyond a third of the
+// body's degrees of freedom, where only a dense solver would do; never empty.
+std::vector<int> mode_counts(const AnalysisContext& context);
+// At most n_wanted of them, evenly picked, the smallest and the largest among them.
+std::vector<int> few(const std::vector<int>& counts, int n_wanted);
+
+// Whether no support holds the body: its rigid motion is then taken out before anything is compared.
+bool is_free(const AnalysisContext& context);
+
+// A table without rows; who calls adds run, case, profile and provenance.
+Finding table(std::string analysis, std::string name, std::string title, std::string note,
+              std::vector<FindingColumn> columns);
+inline FindingCell number(double value) { return value; }
+inline FindingCell count(Index n) { return static_cast<double>(n); }
+FindingCell not_applicable();  // NaN
+
+}  // namespace mb

@@ -1,0 +1,34 @@
+#include "harness/analysis/power_law.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace mb {
+
+PowerLaw power_law(const VectorXd& x, const VectorXd& y) {
+  if (x.size() != y.size()) throw std::invalid_argument("a power law needs as many x as y");
+  std::vector<Index> usable;
+  for (Index i = 0; i < x.size(); ++i)
+    if (x(i) > 0 && y(i) > 0 && std::isfinite(x(i)) && std::isfinite(y(i))) usable.push_back(i);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto n = static_cast<Index>(usable.size());
+  if (n < 2) return {nan, nan, n};
+  VectorXd u = x(usable).array().log(), v = y(usable).array().log();
+  u.array() -= u.mean();
+  v.array() -= v.mean();
+  const double spread = u.squaredNorm();
+  if (!(spread > 1e-24 * static_cast<double>(n))) return {nan, nan, n};  // one x up to rounding
+  const double p = u.dot(v) / spread;
+  const double error = n < 3 ? nan : std::sqrt((v - p * u).squaredNorm() / static_cast<double>(n - 2) / spread);
+  return {p, error, n};
+}
+
+bool agrees(const PowerLaw& law, double claimed) {
+  if (law.standard_error > 0.25) return false;
+  const double width = law.standard_error > 0.025 ? 2 * law.standard_error : 0.05;
+  return std::abs(law.exponent - claimed) <= width;
+}
+
+}  // namespace mb

@@ -1,0 +1,122 @@
+#include "harness/analysis/step_limit.h"
+
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <stdexcept>
+
+#include "mechanics/algebra/cholesky.h"
+#include "mechanics/algebra/noise.h"
+#include "modal/bases/arpack.h"
+
+namespace mb {
+
+namespace {
+
+void expect_modes(const VectorXd& omega, const VectorXd& zeta) {
+  if (omega.size() == 0 || omega.size() != zeta.size() || !(omega.minCoeff() > 0))
+    throw std::invalid_argument("a step limit needs modes of positive frequency, and the damping of each");
+}
+
+}  // namespace
+
+StepLimit measured_limit(const Scheme& scheme, const VectorXd& omega, const VectorXd& zeta) {
+  expect_modes(omega, zeta);
+  StepLimit least{std::numeric_limits<double>::infinity(), 0};
+  for (Index i = 0; i < omega.size(); ++i) {
+    const double dt = stable_omega_h(scheme, zeta(i)) / omega(i);
+    if (dt < least.dt) least = {dt, i};
+  }
+  return least;
+}
+
+double formula_limit(const Scheme& scheme, const VectorXd& omega, const VectorXd& zeta) {
+  expect_modes(omega, zeta);
+  double least = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < omega.size(); ++i) {
+    const double dt = scheme.formula(zeta(i)) / omega(i);
+    if (std::isnan(dt)) return dt;
+    least = std::min(least, dt);
+  }
+  return least;
+}
+
+std::vector<Scheme> explicit_schemes() {
+  return {scheme("explicit-euler"), scheme("symplectic-euler"), scheme("symplectic-euler, implicit damping"),
+          scheme("central-difference"), scheme("central-difference, lagged damping")};
+}
+
+bool steps_as(const Scheme& scheme, const System& system) {
+  if (scheme.integrator.empty()) return false;
+  if (scheme.integrator != "central-difference" || !is_damped(system)) return true;
+  const bool lumped = system.lumped_mass.rows() > 0, by_mass = system.damping.alpha != 0;
+  const bool coupling = system.damping.beta != 0 || (system.modal_damping.d.array() != 0).any();
+  if (scheme.name == "central-difference") return !lumped || !coupling;
+  return lumped && !by_mass;
+}
+
+GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme& scheme, const Integrator& integrator,
+                     double dt, long most_steps) {
+  using Complex = std::complex<double>;
+  const Matrix2d A = scheme.amplification(mode.omega * dt, mode.zeta);
+  const Complex root = std::sqrt(Complex(A.trace() * A.trace() / 4 - A.determinant()));
+  const Complex plus = A.trace() / 2 + root, minus = A.trace() / 2 - root;
+  const Complex lambda = std::abs(plus) >= std::abs(minus) ? plus : minus, mu = A.trace() - lambda;
+  const double rate = std::log(std::abs(lambda)), wanted = std::log(3) / std::max(std::abs(rate), 1e-12);
+  const long n = std::min(most_steps, std::max(20L, std::lround(std::ceil(std::min(wanted, 1e9)))));
+
+  System alone = system;
+  alone.F.resize(system.M.rows(), 0);
+  alone.s.clear();
+  alone.u0 = mode.phi;
+  alone.v0 = VectorXd::Zero(mode.phi.size());
+  Settings settings;
+  settings.time_step = dt;
+  VectorXd times(4);  // from the second step on, the first one may differ from the rest
+  times << dt, 2 * dt, static_cast<double>(n + 1) * dt, static_cast<double>(n + 2) * dt;
+  const States states = integrator.prepare(alone, settings, times(3))->run(times);
+  GrowthRun run{dt, n, std::pow(std::abs(lambda), static_cast<double>(n)), std::numeric_limits<double>::quiet_NaN()};
+  if (states.status != Status::ok) return run;
+  const VectorXd y = states.u.transpose() * mode.M_phi;
+  run.observed = std::abs(y(3) - mu * y(2)) / std::abs(y(1) - mu * y(0));
+  return run;
+}
+
+SteppedMode highest_mode(const System& system) {
+  const auto n = static_cast<int>(system.K.rows());
+  SteppedMode mode;
+  if (n < 12) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(system.K), MatrixXd(system.M));
+    mode.phi = solver.eigenvectors().col(n - 1);
+  } else {
+    const Cholesky mass(system.M);
+    const Operator apply = [&](const VectorXd& x, const VectorXd&) { return mass.solve(VectorXd(system.K * x)); };
+    const InnerProduct inner_product = [&](const VectorXd& x) -> VectorXd { return system.M * x; };
+    // The eigenvalue is wrong by the square of this, the vector by it over a gap: growth is asked to 1 %.
+    mode.phi = largest_ritz(apply, inner_product, 1, std::min(n, 40), 1e-7, uniform_noise(n, 3)).vectors.col(0);
+  }
+  mode.phi /= std::sqrt(mode.phi.dot(system.M * mode.phi));
+  mode.M_phi = system.M * mode.phi;
+  mode.omega = std::sqrt(mode.phi.dot(system.K * mode.phi));
+  mode.zeta = std::max(0.0, mode.phi.dot(apply_damping(system, mode.phi)) / (2 * mode.omega));
+  return mode;
+}
+
+System with_lumped_mass(const System& system) {
+  if (system.lumped_mass.rows() == 0) throw std::invalid_argument("the system has no lumped mass");
+  System lumped = system;
+  lumped.M = system.lumped_mass;
+  if (lumped.R.cols() > 0) {
+    const MatrixXd gram = lumped.R.transpose() * (lumped.M * lumped.R);
+    lumped.R = gram.llt().matrixU().solve<Eigen::OnTheRight>(lumped.R);
+  }
+  return lumped;
+}
+
+System with_consistent_mass(const System& system) {
+  System consistent = system;
+  consistent.lumped_mass.resize(0, 0);
+  return consistent;
+}
+
+}  // namespace mb

@@ -1,0 +1,135 @@
+#include "harness/analysis/step_limit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness/catalogue.h"
+#include "mechanics/algebra/box_test_system.h"
+
+namespace mb {
+namespace {
+
+// Uncoupled unit masses of the frequencies given: a reduced system.
+System oscillators(const VectorXd& omega, const Rayleigh& damping) {
+  const Index n = omega.size();
+  System system;
+  system.M = SparseMatrix(VectorXd::Ones(n).asDiagonal());
+  system.K = SparseMatrix(VectorXd(omega.array().square()).asDiagonal());
+  system.damping = damping;
+  system.modal_damping.W.resize(n, 0);
+  system.R.resize(n, 0);
+  system.F.resize(n, 0);
+  system.u0 = system.v0 = VectorXd::Zero(n);
+  return system;
+}
+VectorXd ratios(const VectorXd& omega, const Rayleigh& damping) {
+  return damping.alpha / (2 * omega.array()) + damping.beta * omega.array() / 2;
+}
+System box(const Rayleigh& damping) {
+  System system =
+      testing::box_system({.cells = {2, 2, 3}, .size = {0.1, 0.1, 0.2}, .E = 2e4, .nu = 0.3, .rho = 1100}).system;
+  system.damping = damping;
+  system.modal_damping.W.resize(system.M.rows(), 0);
+  system.lumped_mass = SparseMatrix(VectorXd(system.M * VectorXd::Ones(system.M.rows())).asDiagonal());
+  return system;
+}
+
+const VectorXd omega{{10, 35, 200}};  // [rad/s]
+
+TEST(StepLimit, IsThatOfTheoryMadeOutOfAllModes) {
+  for (const Rayleigh damping : {Rayleigh{0, 0}, Rayleigh{3, 0}, Rayleigh{0, 1e-4}, Rayleigh{3, 1e-4}})
+    for (const Scheme& scheme : explicit_schemes()) {
+      const VectorXd zeta = ratios(omega, damping);
+      const double formula = formula_limit(scheme, omega, zeta);
+      EXPECT_NEAR(measured_limit(scheme, omega, zeta).dt, formula, 1e-3 * formula) << scheme.name;
+    }
+}
+
+TEST(StepLimit, OfExplicitEulerNeedNotComeFromTheHighestMode) {
+  const VectorXd zeta{{1e-4, 0.05, 0.05}};
+  const Scheme& euler = scheme("explicit-euler");
+  EXPECT_EQ(measured_limit(euler, omega, zeta).deciding, 0);
+  EXPECT_NEAR(measured_limit(euler, omega, zeta).dt, 2e-4 / 10, 1e-8);
+  EXPECT_EQ(measured_limit(scheme("central-difference"), omega, zeta).deciding, 2);
+  EXPECT_EQ(measured_limit(euler, omega, VectorXd::Zero(3)).dt, 0);
+}
+
+TEST(StepLimit, RefusesBadInput) {
+  const Scheme& euler = scheme("explicit-euler");
+  EXPECT_THROW(measured_limit(euler, VectorXd(), VectorXd()), std::invalid_argument);
+  EXPECT_THROW(measured_limit(euler, omega, VectorXd(2)), std::invalid_argument);
+  EXPECT_THROW(formula_limit(euler, VectorXd::Zero(3), VectorXd::Zero(3)), std::invalid_argument);
+  EXPECT_THROW(with_lumped_mass(oscillators(omega, {})), std::invalid_argument);
+}
+
+// Growth of the catalogue's integrators, each from each mode, is rho^n within rounding.
+TEST(GrowthRun, IsThatOfTheSpectralRadius) {
+  const Catalogue catalogue = default_catalogue();
+  for (const Rayleigh damping : {Rayleigh{0, 0}, Rayleigh{3, 0}, Rayleigh{0, 1e-4}, Rayleigh{3, 1e-4}}) {
+    const System system = oscillators(omega, damping);
+    const VectorXd zeta = ratios(omega, damping);
+    for (const Scheme& scheme : explicit_schemes()) {
+      if (!steps_as(scheme, system)) continue;
+      for (Index i = 0; i < omega.size(); ++i) {
+        const VectorXd e = VectorXd::Unit(3, i);
+        const double limit = stable_omega_h(scheme, zeta(i)) / omega(i);
+        for (const double factor : {0.5, 0.99, 1.01, 1.3}) {
+          const double dt = factor * (limit > 0 ? limit : 0.1 / omega(i));
+          const GrowthRun run =
+              growth_run(system, {omega(i), zeta(i), e, e}, scheme, catalogue.integrator(scheme.integrator), dt, 5000);
+          EXPECT_NEAR(run.observed / run.theory, 1, 1e-6) << scheme.name << " " << i << " " << factor;
+          EXPECT_EQ(run.theory > 1 + 1e-9, factor > 1 || limit == 0) << scheme.name << " " << i << " " << factor;
+        }
+      }
+    }
+  }
+}
+
+TEST(GrowthRun, OfAMeshFollowsItsHighestMode) {
+  const Catalogue catalogue = default_catalogue();
+  for (const Rayleigh damping : {Rayleigh{0, 0}, Rayleigh{2, 0}, Rayleigh{0, 1e-5}}) {
+    const System lumped = box(damping), consistent = with_consistent_mass(lumped);
+    for (const System* system : {&lumped, &consistent}) {
+      const SteppedMode top = highest_mode(system == &lumped ? with_lumped_mass(lumped) : consistent);
+      for (const Scheme& scheme : explicit_schemes()) {
+        if (!steps_as(scheme, *system)) continue;
+        const double limit = stable_omega_h(scheme, top.zeta) / top.omega;
+        for (const double factor : {0.99, 1.01}) {
+          if (limit == 0) continue;
+          const GrowthRun run =
+              growth_run(*system, top, scheme, catalogue.integrator(scheme.integrator), factor * limit, 200);
+          EXPECT_NEAR(run.observed / run.theory, 1, 1e-2) << scheme.name << " " << factor << " " << damping.beta;
+        }
+      }
+    }
+  }
+}
+
+// With another scheme's theory the figures part: the comparison can fail.
+TEST(GrowthRun, TellsSchemesApart) {
+  const Rayleigh damping{0, 2e-3};
+  const System system = oscillators(omega, damping);
+  const VectorXd e = VectorXd::Unit(3, 2);
+  const double zeta = ratios(omega, damping)(2);
+  const Scheme& lagged = scheme("central-difference, lagged damping");
+  EXPECT_FALSE(steps_as(lagged, system));
+  const GrowthRun run =
+      growth_run(system, {omega(2), zeta, e, e}, lagged, default_catalogue().integrator("central-difference"),
+                 1.01 * stable_omega_h(lagged, zeta) / omega(2), 1000);
+  EXPECT_GT(std::abs(run.observed / run.theory - 1), 0.5);
+}
+
+TEST(HighestMode, IsThatOfADenseSolver) {
+  const System system = with_consistent_mass(box({1.5, 1e-4}));
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> dense(MatrixXd(system.K), MatrixXd(system.M));
+  const double lambda = dense.eigenvalues().maxCoeff();
+  const SteppedMode top = highest_mode(system);
+  EXPECT_NEAR(top.omega, std::sqrt(lambda), 1e-9 * top.omega);
+  EXPECT_NEAR(top.zeta, 1.5 / (2 * top.omega) + 1e-4 * top.omega / 2, 1e-9);
+  EXPECT_NEAR(top.phi.dot(top.M_phi), 1, 1e-12);
+  EXPECT_LT((system.K * top.phi - lambda * top.M_phi).norm(), 1e-4 * lambda * top.M_phi.norm());
+}
+
+}  // namespace
+}  // namespace mb

@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "harness/analysis/analyses.h"
+#include "harness/analysis/modal_body.h"
+#include "harness/analysis/power_law.h"
+#include "harness/analysis/step_limit.h"
+#include "modal/methods/projection.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// One system whose limits are asked for: what is known of its modes, and what can be run.
+struct Subject {
+  std::string name;
+  double r;              // elastic modes kept; NaN: full order
+  System system;         // as integrators get it
+  VectorXd omega, zeta;  // modes looked at; of full order the lowest and the highest
+  std::function<std::optional<SteppedMode>(Index)> mode;
+  long most_steps;
+};
+
+Subject reduced_subject(const ModalBody& body, int r) {
+  const Modes modes = leading(body.modes, r);
+  const Index n_rigid = modes.n_rigid, n = modes.size() - n_rigid;
+  System system = project(body.system, modes);
+  Modes unit{n_rigid, modes.omega, MatrixXd::Identity(modes.size(), modes.size()), {}, 0};
+  const VectorXd omega = modes.omega.tail(n), zeta = damping_ratios(system, unit).cwiseMax(0);
+  const auto mode = [=](Index i) -> std::optional<SteppedMode> {
+    const VectorXd e = VectorXd::Unit(n_rigid + n, n_rigid + i);
+    return SteppedMode{omega(i), zeta(i), e, e};
+  };
+  const long most_steps = 200000 / (20 + n);  // as much work for many modes as for few
+  return {"reduced", static_cast<double>(n), std::move(system), omega, zeta, mode, most_steps};
+}
+
+// run: as integrators get it; seen: with the mass they step with as its only one.
+Subject full_subject(const std::string& name, const ModalBody& body, System run, const System& seen) {
+  const SteppedMode top = highest_mode(seen);
+  const Modes& low = body.modes;
+  const Index n = low.size() - low.n_rigid;
+  VectorXd omega(n + 1), zeta(n + 1);
+  omega << low.omega.tail(n), top.omega;
+  zeta << damping_ratios(body.system, low).cwiseMax(0), top.zeta;
+  const auto mode = [n, top](Index i) { return i == n ? std::optional(top) : std::nullopt; };
+  return {name, nan, std::move(run), omega, zeta, mode, 200};
+}
+
+Finding limits_table() {
+  return table(
+      "step-limits", "step-limits", "Largest stable time steps, by formula and measured",
+      "Measured: bisection of the spectral radius of the one-step amplification of every mode kept, to 1e-9; "
+      "the limit is the least over the modes. Formula: theory mode by mode, likewise the least. Damping ratios "
+      "are those of the system's damping operator. Full order: the highest mode of the mesh and the lowest "
+      "ones that were solved for, with the consistent and with the lumped mass. A limit of 0 means that every "
+      "step is unstable. Rigid modes drift as they should and set no limit.",
+      {{"system", ""},
+       {"modes r", ""},
+       {"scheme", ""},
+       {"integrator", ""},
+       {"omega max", "rad/s"},
+       {"zeta", "-"},
+       {"formula", ""},
+       {"dt formula", "s"},
+       {"dt measured", "s"},
+       {"measured / formula", "-"},
+       {"omega deciding", "rad/s"}});
+}
+
+Finding runs_table() {
+  return table("step-limits", "step-limit-runs", "Step limits borne out by runs",
+               "Runs of the catalogue's integrators from the deciding mode at 0.99 and 1.01 of the measured limit; "
+               "where the limit is 0, at a hundredth of 1/omega. Theory: rho^n, rho the spectral radius. Observed: "
+               "growth of the run's share in the eigenvector of the larger eigenvalue over the same n steps. A run "
+               "confirms where both agree within 1 %. Steps are as many as growth or decay by 3 takes, within bounds "
+               "of work: near its limit explicit Euler grows too slowly for more.",
+               {{"system", ""},
+                {"modes r", ""},
+                {"scheme", ""},
+                {"integrator", ""},
+                {"dt / limit", "-"},
+                {"dt", "s"},
+                {"steps", ""},
+                {"growth by theory", "-"},
+                {"growth observed", "-"},
+                {"difference", "-"},
+                {"verdict", ""}});
+}
+
+Finding exponents_table() {
+  return table("step-limits", "step-limit-exponents",
+               "Claim C6: is the largest step inversely proportional to the "
+               "highest frequency kept?",
+               "Exponent p of dt ~ omega^p by least squares in logarithms over the mode counts, beside the -1 which is "
+               "claimed. It agrees where it is within 0.05, or two standard errors, of that.",
+               {{"claim", ""},
+                {"scheme", ""},
+                {"limits fitted", ""},
+                {"exponent", "-"},
+                {"standard error", "-"},
+                {"claimed", "-"},
+                {"verdict", ""}});
+}
+
+const Integrator* find_integrator(const AnalysisContext& context, const std::string& name) {
+  for (const Integrator& integrator : context.catalogue.integrators)
+    if (integrator.name == name) return &integrator;
+  return nullptr;
+}
+
+std::vector<FindingCell> limit_row(const Subject& s, const Scheme& scheme, const StepLimit& limit) {
+  const Index last = s.omega.size() - 1;
+  const double formula = formula_limit(scheme, s.omega, s.zeta);
+  const double ratio = formula > 0 && std::isfinite(formula) ? limit.dt / formula : nan;
+  return {s.name,
+          s.r,
+          scheme.name,
+          scheme.integrator.empty() ? "none" : scheme.integrator,
+          s.omega(last),
+          s.zeta(last),
+          scheme.formula_text,
+          formula,
+          limit.dt,
+          ratio,
+          s.omega(limit.deciding)};
+}
+
+void add_runs(Finding& runs, const Subject& s, const Scheme& scheme, const Integrator& integrator,
+              const StepLimit& limit) {
+  const auto mode = s.mode(limit.deciding);
+  if (!mode || !std::isfinite(limit.dt)) return;
+  const std::vector<double> factors =
+      limit.dt > 0 ? std::vector{0.99, 1.01} : std::vector{std::numeric_limits<double>::infinity()};
+  for (const double factor : factors) {
+    const double dt = limit.dt > 0 ? factor * limit.dt : 0.01 / mode->omega;
+    const GrowthRun run = growth_run(s.system, *mode, scheme, integrator, dt, s.most_steps);
+    const double difference = run.observed / run.theory - 1;
+    const bool confirmed = std::abs(difference) <= 0.01;
+    runs.rows.push_back({s.name, s.r, scheme.name, integrator.name, factor, dt, static_cast<double>(run.n_steps),
+                         run.theory, run.observed, difference, confirmed ? "confirmed" : "not confirmed"});
+  }
+}
+
+std::vector<FindingCell> exponent_row(const std::string& scheme, const std::vector<double>& omega,
+                                      const std::vector<double>& dt) {
+  const auto n = static_cast<Index>(omega.size());
+  const PowerLaw law = power_law(Eigen::Map<const VectorXd>(omega.data(), n), Eigen::Map<const VectorXd>(dt.data(), n));
+  std::string verdict = agrees(law, -1) ? "holds" : fmt::format("does not hold: dt ~ omega^{:.2f}", law.exponent);
+  if (std::isnan(law.exponent)) verdict = "not decided: too few mode counts";
+  if (n > 0 && *std::max_element(dt.begin(), dt.end()) == 0) verdict = "does not hold: no step is stable";
+  return {"C6", scheme, count(law.n_points), law.exponent, law.standard_error, -1.0, verdict};
+}
+
+}  // namespace
+
+std::vector<Finding> step_limits(const AnalysisContext& context) {
+  const std::vector<int> counts = mode_counts(context);
+  const ModalBody body = modal_body(context, counts.back());
+  std::vector<Subject> subjects;
+  for (const int r : counts) {
+    subjects.push_back(reduced_subject(body, r));
+    const size_t n = subjects.size();
+    if (n > 1 && subjects[n - 1].r == subjects[n - 2].r) subjects.pop_back();  // one multiplet, or no more modes
+  }
+  const System consistent = with_consistent_mass(body.system);
+  subjects.push_back(full_subject("full, consistent mass", body, consistent, consistent));
+  if (body.system.lumped_mass.rows() > 0)
+    subjects.push_back(full_subject("full, lumped mass", body, body.system, with_lumped_mass(body.system)));
+
+  Finding limits = limits_table(), runs = runs_table(), exponents = exponents_table();
+  for (const Scheme& scheme : explicit_schemes()) {
+    std::vector<double> omega, dt;
+    for (const Subject& subject : subjects) {
+      const StepLimit limit = measured_limit(scheme, subject.omega, subject.zeta);
+      limits.rows.push_back(limit_row(subject, scheme, limit));
+      const Integrator* integrator = find_integrator(context, scheme.integrator);
+      if (integrator && steps_as(scheme, subject.system)) add_runs(runs, subject, scheme, *integrator, limit);
+      if (std::isnan(subject.r)) continue;
+      omega.push_back(subject.omega(subject.omega.size() - 1));
+      dt.push_back(limit.dt);
+    }
+    exponents.rows.push_back(exponent_row(scheme.name, omega, dt));
+  }
+  return {limits, runs, exponents};
+}
+
+}  // namespace mb

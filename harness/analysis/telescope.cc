@@ -1,0 +1,53 @@
+#include "harness/analysis/telescope.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "harness/metrics/motion.h"
+#include "harness/metrics/signal.h"
+
+namespace mb {
+
+Telescope telescope(const std::vector<MatrixXd>& chain) {
+  if (chain.size() < 2) throw std::invalid_argument("a telescope needs two answers at least");
+  for (const MatrixXd& y : chain)
+    if (y.rows() != chain[0].rows() || y.cols() != chain[0].cols())
+      throw std::invalid_argument("a telescope needs answers at the same points and times");
+  const auto n = static_cast<Index>(chain.size()) - 1;
+  const double squared = chain.back().squaredNorm();
+  const double scale = squared > 0 ? squared : std::numeric_limits<double>::quiet_NaN();
+  std::vector<MatrixXd> a;
+  for (size_t i = 1; i < chain.size(); ++i) a.push_back(chain[i - 1] - chain[i]);
+  Telescope result{VectorXd(n), MatrixXd::Zero(n, n), (chain.front() - chain.back()).norm() / std::sqrt(scale)};
+  for (Index i = 0; i < n; ++i) {
+    const MatrixXd& part = a[static_cast<size_t>(i)];
+    result.parts(i) = part.norm() / std::sqrt(scale);
+    for (Index j = i + 1; j < n; ++j)
+      result.cross(i, j) = 2 * part.cwiseProduct(a[static_cast<size_t>(j)]).sum() / scale;
+  }
+  return result;
+}
+
+MatrixXd in_mass_norm(const Trajectory& answer, const MetricContext& context) {
+  const Material& material = context.scene.bodies[static_cast<size_t>(context.body)].material;
+  const VectorXd w = material.density * context.points.volume.weights.replicate(1, 3).transpose().reshaped();
+  return w.cwiseSqrt().asDiagonal() * motion(answer, context).volume *
+         trapezoid_weights(answer.t).cwiseSqrt().asDiagonal();
+}
+
+MatrixXd in_energy_norm(const Trajectory& answer, const MetricContext& context) {
+  const MatrixXd& strain = answer.bodies[static_cast<size_t>(context.body)].strain;
+  const Material& material = context.scene.bodies[static_cast<size_t>(context.body)].material;
+  const Matrix6d root = elasticity_matrix(material).llt().matrixU();  // eps^T D eps = |U eps|^2
+  const VectorXd& w = context.points.volume.weights;
+  const VectorXd tau = trapezoid_weights(answer.t);
+  MatrixXd scaled(strain.rows(), strain.cols());
+  for (Index k = 0; k < strain.cols(); ++k) {
+    const auto eps = strain.col(k).reshaped(6, w.size());
+    scaled.col(k) = (root * eps * (tau(k) * w).cwiseSqrt().asDiagonal()).reshaped();
+  }
+  return scaled;
+}
+
+}  // namespace mb

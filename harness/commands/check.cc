@@ -1,0 +1,27 @@
+#include <fmt/ostream.h>
+
+#include "harness/commands/commands.h"
+#include "harness/commands/find_cases.h"
+#include "harness/study/plan.h"
+
+namespace mb {
+
+void print(const CaseErrors& errors, std::ostream& err) {
+  for (const Diagnostic& diagnostic : errors.diagnostics()) err << to_string(diagnostic);
+}
+
+int check_command(const CheckOptions& options, const Catalogue& catalogue, const Console& console) {
+  int n_errors = 0;
+  for (const std::string& name : options.files) try {
+      const Scene scene = read_toml(find_case(name), catalogue.vocabulary(), options.profile);
+      fmt::print(console.out, "{}: valid (bodies: {}, contenders: {}, checks: {})\n", scene.name, scene.bodies.size(),
+                 contenders(scene, catalogue).size(), scene.checks.size());
+    } catch (const CaseErrors& errors) {
+      print(errors, console.err);
+      n_errors += static_cast<int>(errors.diagnostics().size());
+    }
+  if (n_errors > 0) fmt::print(console.err, "{} error{}\n", n_errors, n_errors == 1 ? "" : "s");
+  return n_errors == 0 ? 0 : 2;
+}
+
+}  // namespace mb

@@ -1,0 +1,127 @@
+#include <fmt/ostream.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cases/exact/exact.h"
+#include "cases/scene/keys.h"
+#include "cases/scene/nearest.h"
+#include "harness/analysis/analysis.h"
+#include "harness/commands/commands.h"
+#include "harness/commands/find_cases.h"
+#include "harness/commands/formulas.h"
+#include "harness/commands/paragraph.h"
+#include "harness/metrics/definitions.h"
+#include "harness/study/plan.h"
+
+namespace mb {
+
+namespace {
+
+// What a word means; a word may mean several things.
+struct Meaning {
+  std::string kind, name;
+  std::vector<std::pair<std::string, std::string>> parts;  // label and text; without text: left out
+};
+
+Meaning of_catalogue(const std::string& kind, const std::string& name, const std::string& doc) {
+  const Formula formula = formula_of(name);
+  return {kind, name, {{"", doc}, {"formula", formula.formula}, {"source", formula.source}}};
+}
+
+std::vector<Meaning> vocabulary(const Catalogue& catalogue) {
+  std::vector<Meaning> all;
+  for (const MeasureDoc& d : measure_docs())
+    all.push_back({"metric [" + d.unit + "]", d.name, {{"", d.meaning}, {"formula", d.formula}, {"source", d.source}}});
+  for (const auto& method : catalogue.methods) all.push_back(of_catalogue("method", method->name(), method->doc()));
+  for (const Integrator& i : catalogue.integrators) all.push_back(of_catalogue("integrator", i.name, i.doc));
+  for (const Analysis& a : analysis_catalogue()) all.push_back(of_catalogue("analysis", a.name, a.doc));
+  for (const ExactSolution& e : exact_solutions())
+    all.push_back({"closed form", e.name, {{"", e.doc}, {"source", e.source}}});
+  for (const KeyGroup& group : key_groups())
+    for (const KeyDoc& key : group.keys)
+      all.push_back({"key of case files",
+                     key.path,
+                     {{"", key.meaning},
+                      {"takes", takes(key)},
+                      {key.fallback.starts_with("required") ? "needed" : "default", key.fallback},
+                      {"for example", key.example.empty() ? "" : key.path.substr(key.path.rfind('.') + 1) + " = " + key.example}}});
+  return all;
+}
+
+std::string limit(const Check& check) {
+  const std::string what =
+      check.table.empty()
+          ? fmt::format("{} r={} {} against {}", check.method, check.modes, check.metric, check.truth)
+          : fmt::format("table {}, column {}{}", check.table, check.column, check.row.empty() ? "" : ", " + check.row);
+  return fmt::format("{} {} {:g}", what, check.at_most ? "at most" : "at least",
+                     check.at_most ? *check.at_most : *check.at_least);
+}
+
+Meaning of_case(const Scene& scene, const Catalogue& catalogue) {
+  Meaning meaning{
+      "case",
+      scene.name,
+      {{"", scene.title + "."},
+       {"exercises", scene.exercises},
+       {"purpose", scene.purpose},
+       {"truth", fmt::format("{} at rtol {:g}, its bar the distance to {}{}", to_string(scene.truth.finer),
+                             scene.truth.relative_tolerance, to_string(scene.truth.coarser),
+                             scene.truth.exact.empty() ? "" : "; closed form " + scene.truth.exact)},
+       {"runs", fmt::format("{}: {}", contenders(scene, catalogue).size(), fmt::join(scene.study.methods, ", "))}}};
+  for (const Check& check : scene.checks) meaning.parts.push_back({"check", limit(check) + ": " + check.why});
+  meaning.parts.push_back({"source", scene.source});
+  return meaning;
+}
+
+void print(const Meaning& meaning, std::ostream& out) {
+  fmt::print(out, "{} ({})\n", meaning.name, meaning.kind);
+  for (const auto& [label, text] : meaning.parts)
+    if (!text.empty()) out << paragraph(text, "  " + (label.empty() ? "" : label + ": "), "    ");
+}
+
+// Keys by their whole path or its last parts: "density", "material.density".
+bool is_named(const Meaning& meaning, const std::string& word) {
+  return meaning.name == word || meaning.name.ends_with("." + word);
+}
+
+std::vector<std::string> known_words(const std::vector<Meaning>& meanings) {
+  std::vector<std::string> words;
+  for (const Meaning& meaning : meanings) {
+    words.push_back(meaning.name);
+    words.push_back(meaning.name.substr(meaning.name.rfind('.') + 1));
+  }
+  for (const auto& file : all_cases()) words.push_back(file.stem());
+  std::sort(words.begin(), words.end());
+  words.erase(std::unique(words.begin(), words.end()), words.end());
+  return words;
+}
+
+bool is_case(const std::string& word) {
+  if (word.ends_with(".toml")) return true;
+  const auto files = all_cases();
+  return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.stem() == word; });
+}
+
+}  // namespace
+
+int explain_command(const ExplainOptions& options, const Catalogue& catalogue, const Console& console) {
+  const std::vector<Meaning> all = vocabulary(catalogue);
+  std::vector<Meaning> found;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(found),
+               [&](const Meaning& meaning) { return is_named(meaning, options.word); });
+  if (is_case(options.word))
+    found.push_back(of_case(read_toml(find_case(options.word), catalogue.vocabulary()), catalogue));
+  if (const KeyDoc* key = find_key(options.word); found.empty() && key != nullptr)
+    std::copy_if(all.begin(), all.end(), std::back_inserter(found),
+                 [&](const Meaning& meaning) { return meaning.name == key->path; });
+  if (found.empty())
+    throw UsageError("unknown word '" + options.word + "'; " + suggestion(options.word, known_words(all), "known"));
+  for (size_t i = 0; i < found.size(); ++i) {
+    if (i > 0) console.out << "\n";
+    print(found[i], console.out);
+  }
+  return 0;
+}
+
+}  // namespace mb

@@ -1,0 +1,81 @@
+#include "harness/commands/formulas.h"
+
+#include <map>
+
+namespace mb {
+
+namespace {
+
+const std::map<std::string, Formula>& methods() {
+  static const std::string craig = "Craig 1981, Structural Dynamics, sect. 15.5";
+  static const std::string pentland = "Pentland and Williams 1989, Good Vibrations, Computer Graphics 23(3)";
+  static const std::map<std::string, Formula> all = {
+      {"full-order",
+       {"M u'' + C u' + K u = F s(t), M_ij = int rho N_i N_j, K_ij = int B_i^T D B_j",
+        "Hughes 1987, The Finite Element Method, ch. 7"}},
+      {"eigenmodes", {"u = Phi q, K phi = omega^2 M phi, Phi^T M Phi = I, the lowest r elastic modes", craig}},
+      {"static-correction", {"u = Phi q + (G - Phi_e Lambda_e^-1 Phi_e^T) F s, G the static response", craig}},
+      {"linear",
+       {"u = Phi q, Ritz vectors from polynomials of degree 1: 6 elastic functions of a free body", pentland}},
+      {"quadratic",
+       {"u = Phi q, Ritz vectors from polynomials of degree 2: 24 elastic functions of a free body", pentland}},
+      {"full", {"u = q: the identity as basis, every degree of freedom of the mesh", "the limit of every reduction"}},
+  };
+  return all;
+}
+
+const std::map<std::string, Formula>& integrators() {
+  static const std::map<std::string, Formula> all = {
+      {"exact",
+       {"q_i'' + c_i q_i' + lambda_i q_i = phi_i^T F s(t) in closed form on each piece of s(t)",
+        "Craig 1981, Structural Dynamics, sect. 5.2"}},
+      {"newmark",
+       {"(4/h^2 M + 2/h C + K) u+ = F s+ + M (4/h^2 u + 4/h v + a) + C (2/h u + v)",
+        "Newmark 1959, J. Eng. Mech. Div. ASCE 85(3)"}},
+      {"central-difference",
+       {"M (u+ - 2 u + u-)/h^2 + C (u+ - u-)/(2 h) + K u = F s, stable for h <= 2/omega_max",
+        "Belytschko, Liu and Moran 2000, Nonlinear Finite Elements, sect. 6.2"}},
+      {"explicit-euler",
+       {"u+ = u + h v, v+ = v + h M^-1 (F s - C v - K u), stable for h <= 2 zeta/omega",
+        "named by Pentland and Williams 1989, Good Vibrations, Computer Graphics 23(3)"}},
+      {"symplectic-euler",
+       {"v+ = v + h M^-1 (F s - C v - K u), u+ = u + h v+, stable for h <= 2/omega undamped",
+        "Hairer, Lubich and Wanner 2006, Geometric Numerical Integration, sect. I.1"}},
+      {"sundials",
+       {"ESDIRK of order 5, embedded error estimate of order 4, one factor of M + gamma C + gamma^2 K a gamma",
+        "Reynolds et al. 2023, ACM Trans. Math. Softw. 49(2), the ARKODE library"}},
+  };
+  return all;
+}
+
+const std::map<std::string, Formula>& analyses() {
+  static const std::string ours = "this suite: harness/analysis/analyses.h";
+  static const std::map<std::string, Formula> all = {
+      {"budget",
+       {"modal(dt) -> modal(exact in t) -> full order, same mesh -> finer; total^2 = sum of squares + cross terms",
+        ours}},
+      {"step-limits",
+       {"largest h with spectral radius of the one-step amplification <= 1 + 1e-12; growth of runs against rho^n",
+        "Hughes 1987, The Finite Element Method, ch. 9"}},
+      {"aliasing",
+       {"RMS_frames(B x_high) / RMS_frames(x_low), x = x_low + x_high split at half the frame rate, B the shutter",
+        "Shannon 1949, Proc. IRE 37(1), for the limit"}},
+      {"frequency-response",
+       {"u = (K + i omega C - omega^2 M)^-1 F at the probe", "mechanics/system/frequency_response.h"}},
+      {"mode-amplitudes", {"max_t |q_i| ~ omega_i^-p: p = 1 for fixed energy and impulse, 2 for fixed force", ours}},
+      {"damping", {"zeta_i = phi_i^T C phi_i / (2 omega_i); by decay: delta / sqrt(4 pi^2 + delta^2)", ours}},
+      {"frequencies", {"f_i / f_i* - 1 on a row of meshes, f* as the case states them, and the observed order", ours}},
+      {"probe-extremes", {"max_t s, min_t s by the parabola through three samples, beside the static s", ours}},
+  };
+  return all;
+}
+
+}  // namespace
+
+Formula formula_of(const std::string& name) {
+  for (const auto* table : {&methods(), &integrators(), &analyses()})
+    if (const auto it = table->find(name); it != table->end()) return it->second;
+  return {};
+}
+
+}  // namespace mb

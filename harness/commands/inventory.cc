@@ -1,0 +1,178 @@
+#include "harness/commands/inventory.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <map>
+#include <set>
+
+#include "harness/store/hash.h"
+#include "harness/store/store.h"
+#include "harness/study/identity.h"
+#include "harness/study/plan.h"
+
+namespace mb {
+
+namespace {
+
+namespace fs = std::filesystem;
+using State = StoredFile::State;
+
+struct Shelf {
+  const char *name, *ending;
+};
+constexpr Shelf shelves[] = {
+    {"findings", ".json"}, {"records", ".jsonl"}, {"timings", ".jsonl"}, {"trajectories", ".h5"}, {"truth", ".h5"}};
+
+// A file of FILE.XXXXXX, which write_file renames to FILE at its end, is in use for as long as a run may write.
+constexpr double longest_write = 3600;  // [s]
+
+// What the scenes call for, by name.
+class Wanted {
+ public:
+  Wanted(const std::vector<Scene>& scenes, const Catalogue& catalogue) {
+    for (const Scene& scene : scenes) {
+      scenes_.insert({{scene.name, scene.profile}, scene});
+      for (const Job& job : jobs(scene, catalogue)) hashes_.insert(job.hash);
+      for (const Contender& truth : truth_contenders(scene)) hashes_.insert(run_hash(scene, truth));
+      const double rtol = scene.truth.relative_tolerance;
+      const Resolution& own = scene.bodies.front().resolution;
+      for (const Resolution& mesh : {scene.truth.finer, scene.truth.coarser, own})
+        hashes_.insert(truth_hash(scene, mesh, rtol));
+      hashes_.insert(truth_hash(scene, own, rtol / 100));
+    }
+  }
+  bool contains(const std::string& hash) const { return hashes_.contains(hash); }
+  bool knows(const std::string& name) const {
+    return std::any_of(scenes_.begin(), scenes_.end(), [&](const auto& entry) { return entry.first.first == name; });
+  }
+  // Runs that --set asked for are in no plan, but are current all the same.
+  bool is_current(const Record& record) const {
+    if (contains(record.run)) return true;
+    const auto scene = scenes_.find({record.case_name, record.profile});
+    return scene != scenes_.end() && run_hash(scene->second, record.contender) == record.run;
+  }
+
+ private:
+  std::map<std::pair<std::string, std::string>, Scene> scenes_;
+  std::set<std::string> hashes_;
+};
+
+struct Verdict {
+  State state;
+  std::string remark;
+};
+
+class Survey {
+ public:
+  Survey(const fs::path& directory, const Wanted& wanted) : store_(directory), wanted_(wanted) {
+    RecordLines records = store_.read_all_records();
+    for (const Record& record : records.records)
+      runs_.insert({record.run, judge(wanted_.is_current(record), record.case_name)});
+    Store::Findings findings = store_.read_all_findings();
+    for (const Finding& finding : findings.findings)
+      runs_.insert({finding.run, judge(wanted_.contains(finding.run), finding.case_name)});
+    for (const auto* refused : {&records.refused, &findings.refused})
+      for (const RefusedLine& line : *refused) damaged_.insert({line.file, line.reason});
+    any_unknown_ =
+        std::any_of(runs_.begin(), runs_.end(), [](const auto& run) { return run.second.state == State::unknown; });
+  }
+
+  Verdict of(const fs::path& path, const std::string& shelf, const std::string& hash) const {
+    if (const auto it = damaged_.find(path); it != damaged_.end()) return {State::damaged, it->second};
+    Verdict verdict = by_name(shelf, hash);
+    if (verdict.state == State::outdated || !path.extension().string().ends_with("h5")) return verdict;
+    try {
+      if (shelf == "truth")
+        store_.read_truth(hash);
+      else
+        store_.read_trajectory(hash);
+    } catch (const StoreError& error) {
+      return {State::damaged, error.what()};
+    }
+    return verdict;
+  }
+
+ private:
+  Verdict judge(bool current, const std::string& name) const {
+    if (current) return {State::current, ""};
+    return wanted_.knows(name) ? Verdict{State::outdated, ""} : Verdict{State::unknown, name};
+  }
+
+  // Truths, and trajectories whose run has no record, do not say whose they are: kept while they may be of a case that
+  // was not found.
+  Verdict by_name(const std::string& shelf, const std::string& hash) const {
+    if (wanted_.contains(hash)) return {State::current, ""};
+    if (const auto run = runs_.find(hash); run != runs_.end() && shelf != "truth") return run->second;
+    return {any_unknown_ ? State::unknown : State::outdated, ""};
+  }
+
+  Store store_;
+  const Wanted& wanted_;
+  std::map<std::string, Verdict> runs_;
+  std::map<fs::path, std::string> damaged_;
+  bool any_unknown_ = false;
+};
+
+// The hash of "HASH" + ending + ".XXXXXX", or nothing.
+std::string unfinished_hash(const std::string& name, const std::string& ending) {
+  if (name.size() != 32 + ending.size() + 7 || name.substr(32, ending.size() + 1) != ending + ".") return "";
+  return is_content_hash(name.substr(0, 32)) ? name.substr(0, 32) : "";
+}
+
+double age_of(const fs::path& path) {
+  std::error_code error;
+  const auto written = fs::last_write_time(path, error);
+  return error ? 0 : std::chrono::duration<double>(fs::file_time_type::clock::now() - written).count();
+}
+
+void take(Inventory& all, const fs::path& path, const Shelf& shelf, const Survey& survey) {
+  std::error_code error;
+  StoredFile file{path,         shelf.name,     path.stem(), static_cast<double>(fs::file_size(path, error)),
+                  age_of(path), State::current, ""};
+  if (const auto hash = unfinished_hash(path.filename(), shelf.ending); !hash.empty() && file.age > longest_write) {
+    file.hash = hash;
+    file.state = State::unfinished;
+  } else if (path.extension() == shelf.ending && is_content_hash(file.hash)) {
+    const Verdict verdict = survey.of(path, shelf.name, file.hash);
+    file.state = verdict.state;
+    file.remark = verdict.remark;
+  } else {
+    ++all.n_strangers;
+    return;
+  }
+  all.files.push_back(file);
+}
+
+}  // namespace
+
+Inventory inventory(const fs::path& store, const std::vector<Scene>& scenes, const Catalogue& catalogue) {
+  const Wanted wanted(scenes, catalogue);
+  const Survey survey(store, wanted);
+  Inventory all;
+  for (const Shelf& shelf : shelves) {
+    const fs::path folder = store / shelf.name;
+    if (!fs::is_directory(fs::symlink_status(folder))) continue;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (fs::is_regular_file(entry.symlink_status()))
+        take(all, entry.path(), shelf, survey);
+      else
+        ++all.n_strangers;
+    }
+  }
+  std::sort(all.files.begin(), all.files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+  return all;
+}
+
+std::optional<double> parse_age(const std::string& text) {
+  if (text.size() < 2 || text.size() > 7 || !std::isdigit(static_cast<unsigned char>(text[0]))) return {};
+  int count = 0;
+  const char* const end = text.data() + text.size() - 1;
+  if (const auto [rest, error] = std::from_chars(text.data(), end, count); error != std::errc() || rest != end)
+    return {};
+  const double unit = text.back() == 'h' ? 3600 : text.back() == 'd' ? 86'400 : text.back() == 'w' ? 604'800 : 0;
+  if (count == 0 || unit == 0) return {};
+  return count * unit;
+}
+
+}  // namespace mb

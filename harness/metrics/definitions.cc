@@ -1,0 +1,86 @@
+#include "harness/metrics/definitions.h"
+
+#include "harness/metrics/metric.h"
+
+namespace mb {
+
+namespace {
+
+struct Origin {
+  std::string formula, source;
+};
+
+// Of the metrics, by name. u: displacement in the answer's own rigid frame; *: the truth; tau, w: weights of times and
+// points.
+const std::map<std::string, Origin>& origins() {
+  static const std::string l2 = "Oberkampf and Roy 2010, Verification and Validation in Scientific Computing";
+  static const std::string sprague =
+      "Sprague and Geers 2004, Commun. Numer. Meth. Engng 20; Schwer 2007, Eng. with Computers 23";
+  static const std::string frame =
+      "rigid frame of least squares: Kabsch 1976, Acta Cryst. A32; Umeyama 1991, IEEE Trans. PAMI 13(4)";
+  static const std::map<std::string, Origin> all = {
+      {"displacement-error",
+       {"sqrt(sum_t tau sum_i w_i rho |u_i - u*_i|^2 / sum_t tau sum_i w_i rho |u*_i|^2)", l2 + "; " + frame}},
+      {"strain-error",
+       {"sqrt(sum_t tau sum_i w_i (e_i - e*_i)^T D (e_i - e*_i) / sum_t tau sum_i w_i e*_i^T D e*_i)",
+        l2 + "; energy norm: Strang and Fix 1973, An Analysis of the Finite Element Method, ch. 1"}},
+      {"surface-deviation",
+       {"max_t max_i |u_i - u*_i| / l, i on the surface, l the largest edge of the bounding box",
+        "maximum norm, " + l2}},
+      {"pose-translation", {"max_t |c - c*|, c the centroid of the rigid frame", frame}},
+      {"pose-rotation", {"max_t angle(R R*^T), R the rotation of the rigid frame", frame}},
+      {"probe-error", {"sqrt(sum_t tau (s - s*)^2 / sum_t tau s*^2), s = u(point) . direction", l2}},
+      {"probe-magnitude", {"M = sqrt(<s s> / <s* s*>) - 1, <a b> = sum_t tau a b", sprague}},
+      {"probe-phase", {"P = arccos(<s s*> / sqrt(<s s> <s* s*>)) / pi", sprague}},
+      {"probe-combined", {"C = sqrt(M^2 + P^2)", sprague}},
+      {"truth-above-band",
+       {"sum_{f > F/20} E(f) / sum_f E(f), E(f) = f^2 sum_i w_i |U_i(f)|^2, F = samples_per_second, Hann window",
+        "window: Harris 1978, Proc. IEEE 66(1); harness/metrics/spectrum.h"}},
+  };
+  return all;
+}
+
+std::vector<MeasureDoc> all_docs() {
+  std::vector<MeasureDoc> all;
+  for (const Metric& metric : metric_catalogue()) {
+    const auto origin = origins().find(metric.name);
+    const Origin known = origin == origins().end() ? Origin{} : origin->second;
+    all.push_back({metric.name, metric.unit, metric.doc, known.formula, known.source});
+  }
+  const std::string ours = "this suite's rule: harness/study/bench.h, harness/measure.h";
+  all.push_back(
+      {"online-time", "s",
+       "Stepping under the given load histories and reconstruction of displacements at the frame times, one thread, "
+       "median of at least 5 runs and 0.2 s after a warm-up; the bar is half the distance of the quartiles. A time "
+       "without a bar is that of a single run. Load patterns are known beforehand: projecting them is offline.",
+       "median of wall-clock times of stepping + reconstruction", ours});
+  all.push_back({"stepping-time", "s",
+                 "The part of online-time that steps; the rest of it is reconstruction at the evaluation points.",
+                 "median of wall-clock times of stepping", ours});
+  all.push_back({"offline-time", "s",
+                 "What is done once before the first step, on either side: assembly of the mesh, factorisation, "
+                 "eigensolve with its gate, projection of the load patterns, static solves. One run.",
+                 "assembly-time + wall-clock time of preparation", ours});
+  all.push_back({"assembly-time", "s", "The part of offline-time that makes the mesh and its matrices. One run.",
+                 "wall-clock time of assembly", ours});
+  all.push_back({"load-error", "-",
+                 "Largest error, relative to the peak, in representing the load by lines and cosines: 0 for all "
+                 "histories but chirps and expressions, which are resampled to [study] load_tolerance.",
+                 "max_t |s - s_resampled| / max_t |s|", "mechanics/history/resample.h"});
+  return all;
+}
+
+}  // namespace
+
+const std::vector<MeasureDoc>& measure_docs() {
+  static const std::vector<MeasureDoc> all = all_docs();
+  return all;
+}
+
+std::map<std::string, std::string> meanings() {
+  std::map<std::string, std::string> all;
+  for (const MeasureDoc& definition : measure_docs()) all[definition.name] = definition.meaning;
+  return all;
+}
+
+}  // namespace mb

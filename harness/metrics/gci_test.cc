@@ -1,0 +1,63 @@
+#include "harness/metrics/gci.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace mb {
+namespace {
+
+// Pressure recovery on three meshes: NASA's worked example, in double precision.
+TEST(GridConvergenceVerification, WorkedExample) {
+  const auto g = grid_convergence(0.97050, 0.96854, 0.96178, 2);
+  ASSERT_TRUE(g);
+  EXPECT_NEAR(g->order, 1.786169592, 1e-9);
+  EXPECT_NEAR(g->extrapolated, 0.971300333, 1e-9);
+  EXPECT_NEAR(100 * g->fine, 0.10308260, 1e-8);
+  EXPECT_NEAR(100 * g->coarse, 0.35624927, 1e-8);
+  EXPECT_NEAR(g->asymptotic, 0.97050 / 0.96854, 1e-12);  // |f1/f2|
+}
+
+// Of f = f* + c h^p the order and the limit are found exactly, from above and below, at any ratio.
+TEST(GridConvergenceTest, PowersOfTheSpacing) {
+  for (const double order : {0.5, 1.0, 2.0, 3.7})
+    for (const double ratio : {1.3, 2.0, 3.0})
+      for (const double c : {0.02, -0.02})
+        for (const double limit : {5.0, -5.0}) {
+          const auto f = [&](double h) { return limit + c * std::pow(h, order); };
+          const auto g = grid_convergence(f(1), f(ratio), f(ratio * ratio), ratio);
+          ASSERT_TRUE(g);
+          // differences of 0.003 of numbers of size 5: eps x 5/0.003, over ln 1.3
+          EXPECT_NEAR(g->order, order, 1e-11);
+          EXPECT_NEAR(g->extrapolated, limit, 1e-11);
+          EXPECT_NEAR(g->fine, 1.25 * std::abs(c / f(1)), 1e-11);
+          EXPECT_NEAR(g->coarse, 1.25 * std::abs(f(ratio) - limit) / std::abs(f(ratio)), 1e-11);
+        }
+}
+
+TEST(GridConvergenceTest, NothingWithoutMonotoneConvergence) {
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(grid_convergence(1, 1, 1, 2));
+  EXPECT_FALSE(grid_convergence(1, 1, 2, 2));    // the finer two agree: of any order
+  EXPECT_FALSE(grid_convergence(1, 2, 2, 2));    // the coarser two agree
+  EXPECT_FALSE(grid_convergence(1, 2, 1.5, 2));  // oscillates
+  EXPECT_FALSE(grid_convergence(1, 2, 2.5, 2));  // drifts apart
+  EXPECT_FALSE(grid_convergence(1, 2, 3, 2));    // order 0
+  EXPECT_FALSE(grid_convergence(0, 1, 5, 2));    // relative to nothing
+  EXPECT_FALSE(grid_convergence(-1, 0, 5, 2));
+  for (const double bad : {nan, infinity, -infinity}) {
+    EXPECT_FALSE(grid_convergence(bad, 1, 3, 2));
+    EXPECT_FALSE(grid_convergence(1, bad, 3, 2));
+    EXPECT_FALSE(grid_convergence(1, 2, bad, 2));
+  }
+}
+
+TEST(GridConvergenceTest, BadRatio) {
+  for (const double ratio : {1.0, 0.5, 0.0, -2.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(grid_convergence(1, 2, 4, ratio), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mb

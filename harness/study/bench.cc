@@ -1,0 +1,50 @@
+#include "harness/study/bench.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace mb {
+
+const Model& Bench::model(const Resolution& resolution) {
+  if (!model_ || !(resolution_ == resolution)) {
+    model_.reset();
+    assembly_ = seconds([&] { model_ = std::make_unique<Model>(make_model(scene_, resolution)); });
+    resolution_ = resolution;
+  }
+  return *model_;
+}
+
+ReadyContender Bench::prepare(const Contender& contender) {
+  const Model& mesh = model(contender.resolution);
+  ReadyContender ready{nullptr, assembly_, 0};
+  ready.preparation = seconds([&] {
+    ready.prepared = catalogue_.method(contender.method)
+                         .prepare(mesh, contender.settings, catalogue_.integrator(contender.integrator));
+  });
+  return ready;
+}
+
+std::vector<Record> Bench::times(const Grader& grader, const Record& base, const ReadyContender& ready,
+                                 double repeat_below) const {
+  std::vector<Record> records;
+  const auto add = [&](const char* metric, const Timing& time) {
+    records.push_back(grader.number(base, metric, "s", time.median, time.spread));
+    records.back().provenance["repeats"] = std::to_string(time.repeats);
+    if (std::isfinite(time.busy)) records.back().provenance["busy"] = fmt::format("{:.3f}", time.busy);
+  };
+  const auto single = [](double t) { return Timing{t, std::numeric_limits<double>::quiet_NaN(), 1}; };
+  Sampling frames{.t = frame_times(*scene_), .strain = false};
+  const auto online = [&] { ready.prepared->simulate(frames); };
+  const Timing first = once(online);
+  const bool repeat = first.median < repeat_below;
+  add("online-time", repeat ? measure(online) : first);
+  frames.reconstruct = false;
+  if (repeat) add("stepping-time", measure(online, 5, 0.05));  // stands beside the online time, decides nothing
+  add("assembly-time", single(ready.assembly));
+  add("offline-time", single(ready.assembly + ready.preparation));
+  return records;
+}
+
+}  // namespace mb

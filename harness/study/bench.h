@@ -1,0 +1,45 @@
+// Makes models and contenders ready and takes their times; the workbench that a case's jobs share.
+//
+//   online = stepping + reconstruction at the frame times        offline = assembly + preparation
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "harness/measure.h"
+#include "harness/study/grade.h"
+
+namespace mb {
+
+struct ReadyContender {
+  std::unique_ptr<Prepared> prepared;
+  double assembly, preparation;  // [s] one run each
+};
+
+inline constexpr double cheap = 0.05;  // [s] runs below are timed with repeats at once
+inline constexpr double any_time = std::numeric_limits<double>::infinity();
+
+class Bench {
+ public:
+  Bench(std::shared_ptr<const Scene> scene, const Catalogue& catalogue)
+      : scene_(std::move(scene)), catalogue_(catalogue) {}
+
+  // One model at a time, the largest thing here: a reference is valid until another resolution is asked for.
+  const Model& model(const Resolution& resolution);
+  ReadyContender prepare(const Contender& contender);
+
+  // Records of the times of one contender (metrics `online-time`, `stepping-time`, `offline-time`, `assembly-time`).
+  // At least five runs of the online part where one takes less than repeat_below [s]; else one, without a spread.
+  std::vector<Record> times(const Grader& grader, const Record& base, const ReadyContender& ready,
+                            double repeat_below) const;
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+  const Catalogue& catalogue_;
+  std::unique_ptr<Model> model_;
+  Resolution resolution_{};
+  double assembly_ = 0;  // [s] of the model at hand
+};
+
+}  // namespace mb

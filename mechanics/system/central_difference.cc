@@ -1,0 +1,76 @@
+#include "mechanics/system/central_difference.h"
+
+#include "mechanics/system/march.h"
+#include "mechanics/system/shifted.h"
+#include "mechanics/system/unbalanced_force.h"
+
+namespace mb {
+
+namespace {
+
+// Of a lumped mass, what a step solves with: the mass and the damping proportional to it.
+System lumped_part(const UnbalancedForce& force, double alpha) {
+  System part;
+  part.M = force.M();
+  part.K.resize(part.M.rows(), part.M.cols());
+  part.damping.alpha = alpha;
+  part.R = force.R();
+  return part;
+}
+
+// In velocities half way between steps, w = (u - u-)/h and w+ = (u+ - u)/h, both ways to damp read
+//
+//   (M + h/2 C_i) (w+ - w)/h = F s - K u - C w
+//
+// with C_i the part of C that is implicit: all of it, or that of the lumped mass. Then v = (w + w+)/2.
+class CentralDifference final : public Stepper {
+ public:
+  CentralDifference(const System& system, double h)
+      : system_(system),
+        h_(h),
+        force_(system),
+        lumped_(system.lumped_mass.rows() > 0 ? lumped_part(force_, system.damping.alpha) : System()),
+        A_(system.lumped_mass.rows() > 0 ? lumped_ : system, h / 2, 0),
+        first_(first_velocity()) {}
+
+  States run(const VectorXd& times) const override {
+    VectorXd w = first_, a(w.size());
+    States out = march(system_, h_, times, [&](double, double t1, const Motion& from, Motion& to) {
+      to.u.noalias() = from.u + h_ * w;
+      force_(t1, to.u, w, a);
+      A_.solve(a, a);
+      to.v.noalias() = w + (h_ / 2) * a;
+      w.noalias() += h_ * a;
+    });
+    out.work.factorisations = A_.is_diagonal() ? 0 : 1;
+    out.work.solves = out.work.factorisations * out.work.steps;
+    return out;
+  }
+
+ private:
+  // (u_1 - u_0)/h where (u_1 - u_-1)/(2h) = v0 and M a + C v0 + K u0 = F s.
+  VectorXd first_velocity() const {
+    VectorXd a(system_.u0.size());
+    force_(0, system_.u0, system_.v0, a);
+    if (is_damped(system_) && !a.isZero(0))
+      a = SpdFactor(force_.M()).solve(a);
+    else
+      A_.solve(a, a);
+    return system_.v0 + (h_ / 2) * a;
+  }
+
+  const System& system_;
+  double h_;
+  UnbalancedForce force_;
+  System lumped_;
+  Shifted A_;
+  VectorXd first_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> central_difference(const System& system, double h) {
+  return std::make_unique<CentralDifference>(system, checked_step(h, "central difference"));
+}
+
+}  // namespace mb

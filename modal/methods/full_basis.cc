@@ -1,0 +1,24 @@
+#include "cases/contract/linear.h"
+#include "modal/methods/methods.h"
+
+namespace mb {
+namespace {
+
+class FullBasis : public LinearMethod {
+ public:
+  std::string name() const override { return "full"; }
+  std::string doc() const override { return "every degree of freedom of the mesh: the identity as basis, u = q"; }
+  bool takes_modes() const override { return false; }
+  Reduction reduce(const Model& model, const Settings&) const override {
+    Reduction reduction{{}, -1};
+    for (const BodyModel& body : model.bodies)
+      reduction.bodies.push_back({body.full->system(), {body.displacement, {}}, {body.strain, {}}});
+    return reduction;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Method> full_basis() { return std::make_unique<FullBasis>(); }
+
+}  // namespace mb

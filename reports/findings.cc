@@ -1,0 +1,139 @@
+#include "reports/findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/number.h"
+
+namespace mb {
+namespace {
+
+struct Section {
+  const char *analysis, *heading;
+  bool before_speed_up;
+};
+constexpr Section sections[] = {
+    {"budget", "Error budget", true},        {"step-limits", "Step limits", true},
+    {"aliasing", "Temporal aliasing", true}, {"frequency-response", "Frequency response", false},
+    {"damping", "Damping", false},           {"mode-amplitudes", "Mode amplitudes", false}};
+
+std::ptrdiff_t place(const std::string& analysis) {
+  return std::find_if(std::begin(sections), std::end(sections),
+                      [&](const Section& s) { return analysis == s.analysis; }) -
+         std::begin(sections);
+}
+
+std::string heading(const std::string& analysis) {
+  const auto i = place(analysis);
+  return i < std::ssize(sections) ? sections[i].heading : "Findings: " + analysis;
+}
+
+bool is_count(double value) { return value == std::floor(value) && std::abs(value) < 1e6; }
+
+Cell cell_of(const FindingCell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return text_cell(*text);
+  const double value = std::get<double>(cell);
+  if (std::isnan(value)) return text_cell("n/a");
+  if (std::isinf(value)) return text_cell(value > 0 ? "unbounded" : "unbounded below");
+  if (is_count(value)) return count_cell(std::lround(value));
+  return {.text = format_number(value, 4), .value = value};
+}
+
+Column column_of(const Finding& finding, std::size_t j) {
+  const FindingColumn& column = finding.columns[j];
+  const bool numeric = std::any_of(finding.rows.begin(), finding.rows.end(),
+                                   [&](const auto& row) { return j < row.size() && row[j].index() == 1; });
+  return {column.name, column.unit, numeric ? Column::Kind::number : Column::Kind::text};
+}
+
+}  // namespace
+
+Sheet sheet_of(const Finding& finding) {
+  Sheet table{.name = file_part(finding.case_name) + "-" + file_part(finding.name),
+              .title = finding.title + ": case " + finding.case_name + ", profile " + finding.profile,
+              .note = finding.note,
+              .columns = {},
+              .rows = {},
+              .n_keys = 0};
+  for (std::size_t j = 0; j < finding.columns.size(); ++j) table.columns.push_back(column_of(finding, j));
+  for (const auto& cells : finding.rows) {
+    std::vector<Cell>& row = table.rows.emplace_back();
+    for (std::size_t j = 0; j < finding.columns.size(); ++j) {
+      row.push_back(j < cells.size() ? cell_of(cells[j]) : text_cell(""));
+    }
+  }
+  return table;
+}
+
+std::vector<FindingGroup> finding_groups(const Evaluation& evaluation) {
+  std::map<std::pair<std::ptrdiff_t, std::string>, FindingGroup> found;
+  for (const Finding& finding : evaluation.input.findings) {
+    FindingGroup& group = found[{place(finding.analysis), finding.analysis}];
+    group.analysis = finding.analysis;
+    group.heading = heading(finding.analysis);
+    group.findings.push_back(&finding);
+  }
+  std::vector<FindingGroup> groups;
+  for (auto& [key, group] : found) {
+    std::stable_sort(group.findings.begin(), group.findings.end(), [](const Finding* a, const Finding* b) {
+      return std::tie(a->case_name, a->profile) < std::tie(b->case_name, b->profile);
+    });
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+bool stands_before_speed_up(const std::string& analysis) {
+  const auto i = place(analysis);
+  return i < std::ssize(sections) && sections[i].before_speed_up;
+}
+
+std::string file_stem(const Evaluation& evaluation, const Finding& finding) {
+  const std::string stem = sheet_of(finding).name;
+  const auto& all = evaluation.input.findings;
+  const bool twice = std::any_of(all.begin(), all.end(), [&](const Finding& other) {
+    return other.case_name == finding.case_name && other.name == finding.name && other.profile != finding.profile;
+  });
+  return twice ? stem + "-" + file_part(finding.profile) : stem;
+}
+
+Sheet shortened(const Sheet& table, std::size_t most, const std::string& whole) {
+  if (table.rows.size() <= most) return table;
+  Sheet part = table;
+  part.rows.resize(most);
+  if (!part.note.empty()) part.note += ' ';
+  part.note +=
+      "The first " + std::to_string(most) + " of " + std::to_string(table.rows.size()) + " rows; all in " + whole + ".";
+  return part;
+}
+
+std::string file_part(const std::string& text) {
+  std::string part;
+  for (const char c : text.substr(0, 64)) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    part += plain ? c : '-';
+  }
+  return part;
+}
+
+std::optional<std::size_t> column_of(const Finding& finding, const std::string& name) {
+  for (std::size_t j = 0; j < finding.columns.size(); ++j) {
+    if (finding.columns[j].name == name) return j;
+  }
+  return std::nullopt;
+}
+
+double number_at(const Finding& finding, std::size_t row, const std::string& column) {
+  const auto j = column_of(finding, column);
+  const auto* value = j && *j < finding.rows[row].size() ? std::get_if<double>(&finding.rows[row][*j]) : nullptr;
+  return value ? *value : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string text_at(const Finding& finding, std::size_t row, const std::string& column) {
+  const auto j = column_of(finding, column);
+  const auto* text = j && *j < finding.rows[row].size() ? std::get_if<std::string>(&finding.rows[row][*j]) : nullptr;
+  return text ? *text : "";
+}
+
+}  // namespace mb

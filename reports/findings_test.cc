@@ -1,0 +1,111 @@
+#include "reports/findings.h"
+
+#include <gmock/gmock.h>
+
+#include "reports/figures.h"
+#include "reports/render.h"
+#include "reports/synthetic.h"
+
+namespace mb {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Finding small() {
+  Finding finding = synthetic::finding("shear", "step-limits", "limits", {{"scheme", ""}, {"dt", "s"}, {"n", ""}});
+  finding.rows = {{"a|b", 1.25e-5, 3.0}, {"=cmd()", synthetic::nan, 4.0}, {"</script>", synthetic::unbounded, 5.0}};
+  return finding;
+}
+
+TEST(Findings, NumbersCountsAndWhatIsNone) {
+  const Sheet table = sheet_of(small());
+  EXPECT_EQ(table.name, "shear-limits");
+  EXPECT_EQ(table.columns[0].kind, Column::Kind::text);
+  EXPECT_EQ(table.columns[1].kind, Column::Kind::number);
+  EXPECT_EQ(table.rows[0][1].text, "1.250e-5");
+  EXPECT_EQ(table.rows[1][1].text, "n/a");
+  EXPECT_EQ(table.rows[2][1].text, "unbounded");
+  EXPECT_FALSE(table.rows[2][1].value.has_value());
+  EXPECT_EQ(table.rows[0][2].text, "3");
+}
+
+TEST(Findings, TextStaysTextInEveryFormat) {
+  const Sheet table = sheet_of(small());
+  EXPECT_THAT(markdown(table), HasSubstr("a\\|b"));
+  EXPECT_THAT(csv(table), HasSubstr("'=cmd()"));
+  EXPECT_THAT(csv(table), HasSubstr("1.25e-05"));
+  EXPECT_THAT(latex(table), HasSubstr("\\textbar{}"));
+}
+
+TEST(Findings, RowsOfAnyLengthAreBroughtToTheColumns) {
+  Finding finding = small();
+  finding.rows.push_back({"short"});
+  finding.rows.push_back({"long", 1.0, 2.0, 3.0});
+  const Sheet table = sheet_of(finding);
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), 3u);
+  EXPECT_TRUE(std::isnan(number_at(finding, 3, "dt")));
+  EXPECT_EQ(text_at(finding, 3, "no such column"), "");
+}
+
+TEST(Findings, GroupsComeInTheReportsOrder) {
+  ReportInput input;
+  for (const char* analysis : {"zebra", "damping", "budget", "mode-amplitudes", "aliasing", "step-limits"}) {
+    input.findings.push_back(synthetic::finding("shear", analysis, analysis, {{"a", ""}}));
+  }
+  std::vector<std::string> order;
+  const Evaluation evaluation = evaluate(input);
+  for (const FindingGroup& group : finding_groups(evaluation)) order.push_back(group.analysis);
+  EXPECT_THAT(order, testing::ElementsAre("budget", "step-limits", "aliasing", "damping", "mode-amplitudes", "zebra"));
+  EXPECT_TRUE(stands_before_speed_up("aliasing"));
+  EXPECT_FALSE(stands_before_speed_up("damping"));
+}
+
+TEST(Findings, OneCaseInTwoProfilesHasTwoFiles) {
+  ReportInput input;
+  input.findings = {small(), small()};
+  input.findings[1].profile = "full";
+  const Evaluation evaluation = evaluate(input);
+  EXPECT_EQ(file_stem(evaluation, evaluation.input.findings[0]), "shear-limits-quick");
+  EXPECT_EQ(file_stem(evaluation, evaluation.input.findings[1]), "shear-limits-full");
+}
+
+TEST(Findings, LongTablesAreShortenedAndSaySo) {
+  const Sheet table = sheet_of(small());
+  EXPECT_EQ(shortened(table, 3, "x").note, table.note);
+  const Sheet part = shortened(table, 2, "data/x.csv");
+  EXPECT_EQ(part.rows.size(), 2u);
+  EXPECT_THAT(part.note, HasSubstr("first 2 of 3 rows; all in data/x.csv"));
+}
+
+TEST(Findings, HostileNamesMakeNoPaths) {
+  Finding finding = small();
+  finding.case_name = "../../etc";
+  finding.name = "a/b\nc";
+  EXPECT_THAT(sheet_of(finding).name, Not(HasSubstr("/")));
+  EXPECT_THAT(sheet_of(finding).name, Not(HasSubstr(".")));
+}
+
+TEST(FindingFigures, AreDrawnOfTheColumnsTheyNeedAndElseNotAtAll) {
+  std::set<std::string> names;
+  for (const Finding& finding : synthetic::findings("shear")) {
+    for (const Figure& figure : finding_figures(finding)) names.insert(figure.name);
+  }
+  for (const char* name : {"step-limits", "aliasing-24", "aliasing-120", "frequency-response-squeeze", "budget-M",
+                           "budget-K", "damping", "mode-amplitudes"}) {
+    EXPECT_TRUE(names.contains(name)) << name;
+  }
+  for (Finding finding : synthetic::findings("shear")) {
+    for (FindingColumn& column : finding.columns) column.name += "?";
+    EXPECT_TRUE(finding_figures(finding).empty()) << finding.name;
+  }
+}
+
+TEST(FindingFigures, TheBudgetLeavesOutTheTotalAndWhatIsNotMeasured) {
+  const Json data = finding_figures(synthetic::budget("shear"))[0].specification["data"]["values"];
+  EXPECT_EQ(data.size(), 12u);  // four contenders, three parts
+  for (const Json& datum : data) EXPECT_NE(datum["part"], "total");
+}
+
+}  // namespace
+}  // namespace mb

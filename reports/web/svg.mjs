@@ -1,0 +1,50 @@
+// Draws the archived specifications as SVG beside them:  node svg.mjs FIGURES_DIRECTORY
+// Expressions are interpreted, as on the page; nothing is fetched. What cannot be drawn is named: then exit code 1.
+import { readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { parse, View } from 'vega';
+import { expressionInterpreter } from 'vega-interpreter';
+import { compile } from 'vega-lite';
+
+const [directory] = process.argv.slice(2);
+if (!directory) {
+  console.error('usage: node svg.mjs FIGURES_DIRECTORY');
+  process.exit(2);
+}
+
+const ending = '.vl.json';
+const loader = {
+  load: () => Promise.reject(new Error('a figure holds its own data')),
+  sanitize: () => Promise.reject(new Error('a figure links to nothing')),
+};
+const isCurrent = (source, drawing) => {
+  try {
+    return statSync(drawing).mtimeMs >= statSync(source).mtimeMs;
+  } catch {
+    return false;
+  }
+};
+
+let drawn = 0,
+  failed = 0;
+for (const name of readdirSync(directory).filter((one) => one.endsWith(ending)).sort()) {
+  const source = join(directory, name),
+    drawing = join(directory, name.slice(0, -ending.length) + '.svg');
+  if (isCurrent(source, drawing)) continue;
+  try {
+    const { spec } = compile({ background: 'white', ...JSON.parse(readFileSync(source, 'utf8')) });
+    const view = new View(parse(spec, undefined, { ast: true }), {
+      expr: expressionInterpreter,
+      renderer: 'none',
+      loader,
+    });
+    writeFileSync(drawing, await view.toSVG());
+    view.finalize();
+    drawn += 1;
+  } catch (error) {
+    console.error(`${source}: not drawn: ${error.message}`);
+    failed += 1;
+  }
+}
+console.error(`${drawn} figures drawn${failed ? `, ${failed} failed` : ''}`);
+process.exit(failed ? 1 : 0);
