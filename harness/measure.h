@@ -19,7 +19,7 @@ double seconds(const std::function<void()>& work);  // one run
 Timing once(const std::function<void()>& work);     // one run, without a spread
 
 // A warm-up, then at least `repeats` runs and `total` seconds.
-Timing measure(const std::function<void()>& work, int repeats = 5, double total = 0.2);
+Timing measure(const std::function<void()>& work, int repeats = 5, double total = 0.02);
 
 std::string utc_date();  // "2026-11-20T23:59:59Z", for provenance
 

@@ -18,6 +18,8 @@ namespace {
 
 using Vector = Eigen::Map<VectorXd>;
 constexpr long max_steps = 2'000'000;
+constexpr double longest_step = 0.05;         // [-] of the duration
+constexpr double expression_resolved = 0.01;  // [-] of its peak
 
 struct Scales {
   double displacement, velocity;
@@ -195,7 +197,7 @@ class Run {
     require(ARKStepSetMaxNumSteps(ark, max_steps), "ARKStepSetMaxNumSteps");
     require(ARKStepSetNonlinearSolver(ark, stage_solver_.get()), "ARKStepSetNonlinearSolver");
     require(ARKStepSetDeduceImplicitRhs(ark, 1), "ARKStepSetDeduceImplicitRhs");
-    // No load that shows in the samples is stepped over, and the interpolation between steps stays as good as they are.
+    // From rest, error control alone would step over a load that comes late.
     require(ARKStepSetMaxStep(ark, largest_step), "ARKStepSetMaxStep");
     // The step stays unless it may grow by 1.6: an unchanged gamma keeps the factor.
     require(ARKStepSetFixedStepBounds(ark, 1.0, 1.6), "ARKStepSetFixedStepBounds");
@@ -208,10 +210,18 @@ class Run {
   std::unique_ptr<void, FreeArkode> arkode_;
 };
 
-double largest_interval(const VectorXd& times) {
-  double largest = times.size() > 0 ? times[0] : 0;
-  for (Index k = 1; k < times.size(); ++k) largest = std::max(largest, times[k] - times[k - 1]);
-  return largest;
+// [s] Where steps have to end: breakpoints, and the pieces that a load without any, an expression, is resampled to.
+std::vector<double> stops(const System& system, double duration) {
+  std::vector<double> all;
+  for (const History& s : system.s) {
+    for (const double t : breakpoints(s, duration)) all.push_back(t);
+    if (!std::holds_alternative<Expression>(s)) continue;
+    for (const Segment& piece : segments(s, duration, expression_resolved).pieces) all.push_back(piece.start);
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  all.push_back(std::numeric_limits<double>::max());
+  return all;
 }
 
 Status status_of(int flag) {
@@ -226,17 +236,12 @@ class Sundials final : public Stepper {
         tolerance_(tolerance),
         duration_(duration),
         mass_(system.M),
-        scales_(motion_scales(system, duration)) {
-    for (const History& s : system.s)
-      for (const double t : breakpoints(s, duration)) breaks_.push_back(t);
-    std::sort(breaks_.begin(), breaks_.end());
-    breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
-    breaks_.push_back(std::numeric_limits<double>::max());
-  }
+        scales_(motion_scales(system, duration)),
+        breaks_(stops(system, duration)) {}
 
   States run(const VectorXd& times) const override {
     States out{MatrixXd(system_.u0.size(), times.size()), MatrixXd(system_.u0.size(), times.size()), {}, Status::ok, 0};
-    Run run(system_, mass_, tolerance_, scales_, 1e-3 * duration_, largest_interval(times));
+    Run run(system_, mass_, tolerance_, scales_, 1e-3 * duration_, longest_step * duration_);
     size_t next = 0;
     for (Index k = 0; k < times.size(); ++k) {
       int flag = ARK_SUCCESS;

@@ -117,7 +117,7 @@ TEST(Sundials, ErrorFallsWithTheTolerance) {
   const System& s = model->system();
   const States closed = exact(s, 0.29)->run(times);
   double previous = 1;
-  for (const double tolerance : {1e-6, 1e-8, 1e-10}) {  // beyond, the interval between outputs bounds the steps
+  for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
     const States stepped = sundials(s, tolerance, 0.29)->run(times);
     const double error = relative(s.M, stepped.u, closed.u);
     EXPECT_LT(error, 0.1 * previous) << tolerance;

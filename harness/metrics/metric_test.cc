@@ -27,6 +27,7 @@ Setting setting() {
                      .shape = Box{{0.1, 0.2, 0.4}},
                      .material = {.youngs_modulus = 2e4, .poissons_ratio = 0.3, .density = 1100},
                      .damping = {},
+                     .damping_ratios = {},
                      .resolution = {1, {1, 1, 1}},
                      .supports = {}}};
   s.scene.probes = {{"other", "elsewhere", {0, 0, 0}, {1, 0, 0}}, {"top", "block", {0, 0, 0.2}, {0, 0, 1}}};

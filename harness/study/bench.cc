@@ -41,7 +41,7 @@ std::vector<Record> Bench::times(const Grader& grader, const Record& base, const
   const bool repeat = first.median < repeat_below;
   add("online-time", repeat ? measure(online) : first);
   frames.reconstruct = false;
-  if (repeat) add("stepping-time", measure(online, 5, 0.05));  // stands beside the online time, decides nothing
+  if (repeat) add("stepping-time", measure(online));  // stands beside the online time, decides nothing
   add("assembly-time", single(ready.assembly));
   add("offline-time", single(ready.assembly + ready.preparation));
   return records;

@@ -33,7 +33,8 @@ Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free
     }
   for (size_t i = 0; i < subjects_.size(); ++i)
     for (const TruthKind kind : known_truths(truth_))
-      bars_[{i, kind}] = error_bar(subjects_[i].metric, truth_, kind, subjects_[i].context);
+      if (kind == TruthKind::finer || !subjects_[i].metric.of_truth_alone)
+        bars_[{i, kind}] = error_bar(subjects_[i].metric, truth_, kind, subjects_[i].context);
 }
 
 std::vector<TruthKind> Grader::kinds(const Record& base) const {
