@@ -2,11 +2,11 @@
 
 #include <iostream>
 
-#include "benchmarks/one_thread.h"
+#include "mechanics/algebra/threads.h"
 #include "mechanics/algebra/threads.h"
 
 int main(int argc, char** argv) {
-  mb::on_one_thread();
+  mb::use_one_thread();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::AddCustomContext("blas", mb::blas_description());

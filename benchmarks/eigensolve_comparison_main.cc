@@ -14,7 +14,7 @@
 
 #include "benchmarks/bodies.h"
 #include "benchmarks/npy.h"
-#include "benchmarks/one_thread.h"
+#include "mechanics/algebra/threads.h"
 #include "benchmarks/slepc.h"
 #include "harness/measure.h"
 #include "mechanics/algebra/threads.h"
@@ -155,7 +155,7 @@ int main(int argc, char** argv) try {
   for (const char* name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT"}) setenv(name, "1", 1);
   const mb::Arguments wanted = mb::arguments(argc, argv);
   const mb::SlepcSession session(&argc, &argv);
-  mb::on_one_thread();
+  mb::use_one_thread();
   mb::compare(wanted, session);
   return 0;
 } catch (const std::exception& error) {

@@ -176,7 +176,7 @@ int harness_main(int argc, char** argv, const Catalogue& catalogue) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   std::signal(SIGINT, on_interrupt);
-  set_blas_threads(1);  // timed parts run on one thread on both sides
+  use_one_thread();  // timed parts run on one thread on both sides
   return guarded(action, {std::cout, std::cerr});
 }
 

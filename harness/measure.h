@@ -18,7 +18,7 @@ struct Timing {
 double seconds(const std::function<void()>& work);  // one run
 Timing once(const std::function<void()>& work);     // one run, without a spread
 
-// A warm-up, then at least `repeats` runs and `total` seconds.
+// At least `repeats` runs and `total` seconds. No warm-up: run the work once before.
 Timing measure(const std::function<void()>& work, int repeats = 5, double total = 0.02);
 
 std::string utc_date();  // "2026-11-20T23:59:59Z", for provenance

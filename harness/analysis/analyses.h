@@ -16,6 +16,7 @@
 //   budget-cross-terms        method | modes r | integrator | setting | parts | M norm | K norm
 //   frequency-response        load | contender | modes r | frequency | amplitude | phase
 //   frequency-response-error  load | contender | modes r | error | largest deviation | at
+//   frequency-response-peaks  contender | load | modes r | frequency | amplitude
 //   damping                   mode | frequency | zeta asked | zeta full | zeta reduced | zeta by decay | coupling
 //   frequencies               mode | reference | frequency | error | error Q2 4x4x4 | ... | order
 //   probe-extremes            probe | truth | largest | at (largest) | smallest | at (smallest) | static |

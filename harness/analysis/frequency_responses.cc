@@ -6,6 +6,7 @@
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/frequencies.h"
 #include "harness/analysis/modal_body.h"
+#include "harness/analysis/peak.h"
 #include "mechanics/system/frequency_response.h"
 #include "modal/methods/projection.h"
 
@@ -20,8 +21,7 @@ constexpr int highest_mode = 24;  // elastic: where the range ends
 Finding curves_table(const Probe& probe, bool damped) {
   std::string note = fmt::format(
       "Steady displacement at probe '{}' under a load of unit factor, full order on the body's mesh and reduced. From "
-      "a "
-      "fifth of the first elastic frequency to that of mode {}, in equal ratios. Static correction adds the residual "
+      "a fifth of the first elastic frequency to that of mode {}, in equal ratios. Static correction adds the residual "
       "flexibility, which is real and the same at all frequencies. Phase: that of the displacement against the load.",
       probe.name, highest_mode);
   if (!damped)
@@ -39,6 +39,13 @@ Finding errors_table() {
       {{"load", ""}, {"contender", ""}, {"modes r", ""}, {"error", "-"}, {"largest deviation", "-"}, {"at", "Hz"}});
 }
 
+Finding peaks_table() {
+  return table("frequency-response", "frequency-response-peaks", "Highest peak of the frequency response",
+               "Near the largest of the frequencies looked at in full order, by golden section to 1e-4 in frequency. "
+               "Amplitude: for a load of unit factor.",
+               {{"contender", ""}, {"load", ""}, {"modes r", ""}, {"frequency", "Hz"}, {"amplitude", "m"}});
+}
+
 std::string load_name(const Scene& scene, Index load) {
   const auto l = static_cast<size_t>(load);
   return l < scene.loads.size() ? scene.loads[l].name : "base acceleration";
@@ -54,28 +61,41 @@ class Responses {
         probe_((body.model.full->displacement_at(probe.point).transpose() * probe.direction).transpose()),
         static_response_(inertia_relief(body.system, body.shifted, body.system.F)),
         curves_(curves_table(probe, is_damped(body.system))),
-        errors_(errors_table()) {}
+        errors_(errors_table()),
+        peaks_(peaks_table()) {}
 
   // all: mode counts to mark; drawn: those of them whose curves are kept.
   void add(Index load, const std::vector<int>& all, const std::vector<int>& drawn) {
-    const VectorXcd full = (probe_ * frequency_response(body_.system, load, 2 * pi * f_)).transpose();
+    const VectorXcd full = of_full(load, f_);
     draw(load, "full order", nan, full);
+    Index k = 0;
+    full.cwiseAbs().maxCoeff(&k);
+    const bool has_peak = is_damped(body_.system) && k > 0 && k + 1 < f_.size();
+    if (has_peak) peak(load, "full order", nan, k, [&](const VectorXd& f) { return of_full(load, f); });
     for (const int r : all) {
       const Modes modes = leading(body_.modes, r);
       const System reduced = project(body_.system, modes);
       const Eigen::RowVectorXd at_probe = probe_ * modes.Phi;
-      const VectorXcd plain = (at_probe.cast<Complex>() * frequency_response(reduced, load, 2 * pi * f_)).transpose();
       const double rest = probe_.dot(residual_flexibility(body_.system, modes, static_response_).col(load));
-      const VectorXcd corrected = plain.array() + rest;
-      const bool is_drawn = std::find(drawn.begin(), drawn.end(), r) != drawn.end();
       const auto used = static_cast<double>(modes.size() - modes.n_rigid);
-      for (const auto& [name, u] : {std::pair("eigenmodes", plain), std::pair("static-correction", corrected)}) {
+      const bool is_drawn = std::find(drawn.begin(), drawn.end(), r) != drawn.end();
+      for (const auto& [name, flexibility] : {std::pair("eigenmodes", 0.0), std::pair("static-correction", rest)}) {
+        const auto response = [&](const VectorXd& f) -> VectorXcd {
+          const VectorXcd u = (at_probe.cast<Complex>() * frequency_response(reduced, load, 2 * pi * f)).transpose();
+          return u.array() + flexibility;
+        };
+        const VectorXcd u = response(f_);
         if (is_drawn) draw(load, name, used, u);
+        if (is_drawn && has_peak) peak(load, name, used, k, response);
         mark(load, name, used, u, full);
       }
     }
   }
-  std::vector<Finding> findings() && { return {std::move(curves_), std::move(errors_)}; }
+  std::vector<Finding> findings() && {
+    std::vector<Finding> all{std::move(curves_), std::move(errors_)};
+    if (!peaks_.rows.empty()) all.push_back(std::move(peaks_));
+    return all;
+  }
 
  private:
   void draw(Index load, const std::string& contender, double r, const VectorXcd& u) {
@@ -89,12 +109,23 @@ class Responses {
     errors_.rows.push_back({load_name(scene_, load), contender, r, (u - full).norm() / full.norm(), largest, f_(at)});
   }
 
+  VectorXcd of_full(Index load, const VectorXd& f) const {
+    return (probe_ * frequency_response(body_.system, load, 2 * pi * f)).transpose();
+  }
+  // Between the neighbours of the k-th frequency.
+  void peak(Index load, const std::string& contender, double r, Index k,
+            const std::function<VectorXcd(const VectorXd&)>& response) {
+    const Peak peak =
+        highest([&](double f) { return std::abs(response(VectorXd::Constant(1, f))(0)); }, f_(k - 1), f_(k + 1));
+    peaks_.rows.push_back({contender, load_name(scene_, load), r, peak.at, peak.height});
+  }
+
   const Scene& scene_;
   const ModalBody& body_;
   VectorXd f_;
   Eigen::RowVectorXd probe_;  // displacement along the probe's direction
   MatrixXd static_response_;
-  Finding curves_, errors_;
+  Finding curves_, errors_, peaks_;
 };
 
 }  // namespace

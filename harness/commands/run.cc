@@ -115,7 +115,8 @@ Outcome run_all(const Scenes& scenes, const Catalogue& catalogue, const Store& s
   return outcome;
 }
 
-// Marks and tables by several processes; what they fail at is run again by who calls, and counted there.
+// Marks and tables by several processes; what they fail at is run again by who calls, and counted there. Computes nothing
+// itself before the last of them has ended.
 void run_in_parallel(const Scenes& scenes, const Catalogue& catalogue, const Store& store, const RunOptions& options,
                      int n, const Console& console) {
   for (const auto& scene : scenes) {
@@ -123,11 +124,10 @@ void run_in_parallel(const Scenes& scenes, const Catalogue& catalogue, const Sto
     RunOptions shared = options;
     shared.timed = false;
     const auto progress = [&](const std::string& line) { fmt::print(console.err, "{}\n", line), console.err.flush(); };
-    try {
-      if (!all_stored(*scene, catalogue, store)) truths(scene, catalogue, store, progress);  // before they are forked
-    } catch (const std::exception&) {
-      continue;  // the caller meets and names it
-    }
+    if (all_stored(*scene, catalogue, store)) continue;
+    // Truths first, in a process of their own: threads that libraries start there would not survive a fork.
+    const int code = in_processes(1, [&](int) { return truths(scene, catalogue, store, progress), 0; });
+    if (code != 0) continue;  // the caller meets and names what failed
     in_processes(n, [&](int i) {
       shared.shard = {i, n};
       return run_all({scene}, catalogue, store, shared, console).n_failed > 0 ? 3 : 0;

@@ -30,7 +30,8 @@ class Bench {
   ReadyContender prepare(const Contender& contender);
 
   // Records of the times of one contender (metrics `online-time`, `stepping-time`, `offline-time`, `assembly-time`).
-  // At least five runs of the online part where one takes less than repeat_below [s]; else one, without a spread.
+  // Five runs of the online part at least where one is cheap, three where it takes less than repeat_below [s]; else one,
+  // without a spread. `stepping-time` of cheap ones alone.
   std::vector<Record> times(const Grader& grader, const Record& base, const ReadyContender& ready,
                             double repeat_below) const;
 

@@ -21,6 +21,12 @@ void set_blas_threads(int n) {
   if (auto* set = find<void(int)>("openblas_set_num_threads")) set(n);
 }
 
+void use_one_thread() {
+  set_blas_threads(1);
+  // No parallel region is active at level 0 (OpenMP 5.0).
+  if (auto* set = find<void(int)>("omp_set_max_active_levels")) set(0);
+}
+
 std::string blas_description() {
   auto* config = find<char*()>("openblas_get_config");
   auto* threads = find<int()>("openblas_get_num_threads");

@@ -1,4 +1,4 @@
-// Threads of the BLAS in use. Timed parts run on one thread on both sides unless stated.
+// Threads of the libraries in use. Timed parts run on one thread on both sides unless stated.
 #pragma once
 
 #include <string>
@@ -7,5 +7,9 @@ namespace mb {
 
 void set_blas_threads(int n);    // n >= 1; does nothing where the BLAS has no such switch
 std::string blas_description();  // e.g. "OpenBLAS 0.3.21 ... 1 thread", "reference BLAS (slow)"
+
+// BLAS in the whole process and OpenMP in the calling thread: CHOLMOD asks OpenMP for four threads in every
+// factorisation, which OMP_NUM_THREADS does not forbid and which on two cores costs half as much time again.
+void use_one_thread();
 
 }  // namespace mb

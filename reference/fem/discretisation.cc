@@ -60,7 +60,7 @@ const Shape& meshable(const Shape& shape, const Resolution& resolution) {
   bool possible = resolution.degree >= 1 && resolution.degree <= 4 && cells.size() == 3 - shape.index();
   for (size_t i = 0; possible && i < cells.size(); ++i) {
     const int least = i == 0 && std::holds_alternative<Cylinder>(shape) ? 0 : 1;
-    possible = cells[i] >= least && cells[i] <= 256;
+    possible = cells[i] >= least && cells[i] <= 1024;
   }
   if (possible && !std::holds_alternative<Box>(shape) && cells[0] > 0)
     possible = std::has_single_bit(static_cast<unsigned>(cells[0]));
