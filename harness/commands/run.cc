@@ -33,6 +33,9 @@ Scenes scenes_of(const RunCommandOptions& options, const Catalogue& catalogue) {
       problems.insert(problems.end(), errors.diagnostics().begin(), errors.diagnostics().end());
     }
   if (!problems.empty()) throw CaseErrors(problems);
+  // Named cases run in any profile.
+  if (options.cases.empty())
+    std::erase_if(scenes, [&](const auto& scene) { return std::ranges::count(scene->runs_in, options.profile) == 0; });
   if (scenes.empty()) throw UnknownCase("no case here: name a file, or run where a folder `cases` is");
   return scenes;
 }

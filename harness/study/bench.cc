@@ -9,6 +9,7 @@ namespace mb {
 
 const Model& Bench::model(const Resolution& resolution) {
   if (!model_ || !(resolution_ == resolution)) {
+    basis_ = {};
     model_.reset();
     assembly_ = seconds([&] { model_ = std::make_unique<Model>(make_model(scene_, resolution)); });
     resolution_ = resolution;
@@ -16,13 +17,29 @@ const Model& Bench::model(const Resolution& resolution) {
   return *model_;
 }
 
+const Bench::Basis& Bench::basis(const LinearMethod& method, const Settings& settings, const Model& mesh) {
+  const bool known = basis_.reduction && basis_.method == method.name() && basis_.modes == settings.modes;
+  if (!known) {
+    basis_ = {method.name(), settings.modes, nullptr, 0};
+    basis_.time = seconds(
+        [&] { basis_.reduction = std::make_shared<const Reduction>(method.reduce(mesh, settings)); });
+  }
+  return basis_;
+}
+
 ReadyContender Bench::prepare(const Contender& contender) {
   const Model& mesh = model(contender.resolution);
+  const Method& method = catalogue_.method(contender.method);
+  const Integrator& integrator = catalogue_.integrator(contender.integrator);
   ReadyContender ready{nullptr, assembly_, 0};
-  ready.preparation = seconds([&] {
-    ready.prepared = catalogue_.method(contender.method)
-                         .prepare(mesh, contender.settings, catalogue_.integrator(contender.integrator));
-  });
+  if (const auto* linear = dynamic_cast<const LinearMethod*>(&method)) {
+    const Basis& shared = basis(*linear, contender.settings, mesh);
+    ready.preparation = shared.time + seconds([&] {
+      ready.prepared = prepare_linear(shared.reduction, integrator, contender.settings, scene_->duration);
+    });
+  } else {
+    ready.preparation = seconds([&] { ready.prepared = method.prepare(mesh, contender.settings, integrator); });
+  }
   return ready;
 }
 

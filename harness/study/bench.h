@@ -5,8 +5,10 @@
 
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "cases/contract/linear.h"
 #include "harness/measure.h"
 #include "harness/study/grade.h"
 
@@ -27,6 +29,8 @@ class Bench {
 
   // One model at a time, the largest thing here: a reference is valid until another resolution is asked for.
   const Model& model(const Resolution& resolution);
+  // Contenders that differ by integrator and step alone share a basis, as long as they follow each other; the time it took
+  // is charged to each.
   ReadyContender prepare(const Contender& contender);
 
   // Records of the times of one contender (metrics `online-time`, `stepping-time`, `offline-time`, `assembly-time`).
@@ -41,6 +45,15 @@ class Bench {
   std::unique_ptr<Model> model_;
   Resolution resolution_{};
   double assembly_ = 0;  // [s] of the model at hand
+
+  struct Basis {
+    std::string method;
+    int modes = 0;
+    std::shared_ptr<const Reduction> reduction;
+    double time = 0;  // [s]
+  };
+  const Basis& basis(const LinearMethod& method, const Settings& settings, const Model& mesh);
+  Basis basis_;  // of the model at hand
 };
 
 }  // namespace mb
