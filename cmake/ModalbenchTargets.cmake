@@ -35,7 +35,7 @@ endif()
 find_program(MODALBENCH_CCACHE ccache)
 if(MODALBENCH_CCACHE)   # the sloppiness is what it needs to cache with precompiled headers
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${MODALBENCH_CCACHE})
+    CCACHE_SLOPPINESS=pch_defines,time_macros ${MODALBENCH_CCACHE})
 endif()
 
 # Headers that nearly every source includes, parsed once a folder: half of the time to compile.
