@@ -28,11 +28,6 @@ std::string case_of(const Evaluation& evaluation, const Run& run) {
   return run.case_name;
 }
 
-bool is_unstable(const Record& record) {
-  if (is_usable(record)) return std::abs(record.value) > blown_up;
-  return record.status == "not_finite" || record.status == "ok";  // "ok" without a finite value
-}
-
 void count(Outcome& outcome, const Run& run) {
   for (const auto& [measure, record] : run.measures) {
     if (measure.metric != headline_metric || measure.truth != headline_truth) continue;
@@ -85,7 +80,7 @@ Sheet matrix_table(const Evaluation& evaluation) {
               .title = "Cases and contenders",
               .note =
                   "Least displacement error against finer over the runs of each contender, and the setting that gave "
-                  "it. ✔ within 1 %, ▲ above it, ⚡ unstable (not finite, or an error above 1000), ✘ failed "
+                  "it. ✔ within 1 %, ▲ above it, ⚡ unstable (an explicit integrator beyond its step limit), ✘ failed "
                   "otherwise, – not run in this case.",
               .columns = {{"contender", ""}},
               .rows = {},

@@ -9,10 +9,8 @@
 
 namespace mb {
 
-inline constexpr double blown_up = 1e3;  // [-] error of a finite answer that has left the truth by this factor
-
 // Least displacement error of any run of the family against the headline's truth, with the setting that gave it; of the
-// others how many were unstable (not finite, or an error above blown_up) or failed.
+// others how many were unstable or failed.
 Sheet matrix_table(const Evaluation& evaluation);
 
 }  // namespace mb

@@ -72,6 +72,7 @@ Json verdict_json(const Verdict& verdict) {
                {"not_measured", verdict.n_not_measured},
                {"at_target", verdict.at_target.size()},
                {"failed_runs", verdict.n_failed_runs},
+               {"unstable_runs", verdict.n_unstable_runs},
                {"sentences", verdict.sentences}};
   json["median"] = verdict.median ? Json(format_number(*verdict.median)) : Json(nullptr);
   return json;

@@ -85,6 +85,8 @@ bool is_mark(const Record& record) { return !record.truth.empty() && !is_of_trut
 
 bool is_usable(const Record& record) { return record.status == "ok" && std::isfinite(record.value); }
 
+bool is_unstable(const Record& record) { return record.status == "unstable"; }
+
 bool is_undefined(const Record& record) { return record.status.starts_with("undefined"); }
 
 double counted_error(const Record& record) { return std::max(std::abs(record.value), record.error_bar.value_or(0)); }

@@ -42,6 +42,7 @@ bool takes_tolerance(const Contender& contender);  // neither closed form nor fi
 bool is_of_truth(const Record& record);            // says something of a truth alone: its metric is named truth-...
 bool is_mark(const Record& record);                // a contender against a truth, unlike times, load errors, truth-...
 bool is_usable(const Record& record);              // status ok and a finite value
+bool is_unstable(const Record& record);            // an explicit integrator beyond its step limit: a result
 bool is_undefined(const Record& record);           // the metric has no meaning here: no fault of the contender
 double counted_error(const Record& record);        // |value|, or the error bar where that is larger
 

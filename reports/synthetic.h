@@ -119,7 +119,7 @@ inline void blow_up(std::vector<Record>& all) {
                         record.contender.resolution == Resolution{1, {1, 4}} && settings.time_step == 0.02;
     const bool unstable = record.contender.integrator == "explicit-euler";
     if ((!coarse && !unstable) || record.unit != "-") continue;
-    record.status = "not_finite";
+    record.status = unstable ? "unstable" : "not_finite";
     record.value = std::numeric_limits<double>::quiet_NaN();
   }
 }

@@ -39,12 +39,10 @@ std::string checks_sentence(const Verdict& verdict) {
   return text + ".";
 }
 
-// " over Q3 1x4, newmark, step 0.001 s, 2.9 times as exact (near miss Q3 1x2, newmark, step 0.002 s: error 0.012, 640)"
+// " over Q3 1x4, newmark, step 0.001 s, 2.9 times as exact; near miss 640"
 std::string over(const SpeedUp& one) {
-  std::string text = " over " + describe(one.rival[0].contender) + ", " + margin_cell(one).text + " times as exact";
-  if (one.near_miss.empty()) return text;
-  return text + " (near miss " + describe(one.near_miss[0].contender) + ": error " + format_record(one.near_miss[0]) +
-         ", speed-up " + miss_ratio_cell(one).text + ")";
+  const std::string text = " over " + describe(one.rival[0].contender) + ", " + margin_cell(one).text + " times as exact";
+  return one.near_miss.empty() ? text : text + "; near miss " + miss_ratio_cell(one).text;
 }
 
 // "Median in the other norms: strain-error 12.3 (2 cases), surface-deviation none."
@@ -67,9 +65,9 @@ std::string speed_up_sentence(const Verdict& verdict) {
   std::string text = "Speed-up " + at + ": ";
   text += verdict.median ? "median " + format_number(*verdict.median) : std::string("none reached by any rival");
   for (const SpeedUp& one : verdict.at_target) {
-    text += "; " + one.error.case_name + " (" + one.error.profile + ") " + describe(one.error.contender) + ": " +
-            ratio_cell(one).text;
+    text += "; " + one.error.case_name + " " + ratio_cell(one).text + " (" + describe(one.error.contender);
     if (!one.rival.empty()) text += over(one);
+    text += ")";
   }
   return text + ".";
 }
@@ -80,7 +78,7 @@ std::string failure_sentence(const std::vector<Failure>& failures, int n_failed_
   std::string text = counted(n_failed_runs, "run", "runs") + " failed.";
   std::size_t n_named = 0, n_reasons = 0;
   for (const Failure& one : failures) {
-    if (one.undefined || ++n_reasons > 5) continue;
+    if (one.undefined || one.reason == "unstable" || ++n_reasons > 5) continue;
     ++n_named;
     text += " " + counted(one.n_runs, "run", "runs") + ": " + one.reason + ": " + one.contenders + ".";
   }
@@ -88,18 +86,25 @@ std::string failure_sentence(const std::vector<Failure>& failures, int n_failed_
   return text;
 }
 
-int count_failed_runs(const Evaluation& evaluation) {
+int count_runs(const Evaluation& evaluation, bool (*is_counted)(const Record&)) {
   using Case = std::pair<std::string, std::string>;  // name, profile
-  std::vector<std::pair<Case, Contender>> failed;
+  std::vector<std::pair<Case, Contender>> counted;
   for (const Record& record : evaluation.input.records) {
-    if (is_usable(record) || is_undefined(record)) continue;
+    if (!is_counted(record)) continue;
     const Case of{record.case_name, record.profile};
-    const bool known = std::any_of(failed.begin(), failed.end(), [&](const auto& one) {
+    const bool known = std::any_of(counted.begin(), counted.end(), [&](const auto& one) {
       return one.first == of && same_contender(one.second, record.contender);
     });
-    if (!known) failed.push_back({of, record.contender});
+    if (!known) counted.push_back({of, record.contender});
   }
-  return static_cast<int>(failed.size());
+  return static_cast<int>(counted.size());
+}
+
+bool is_failed(const Record& record) { return !is_usable(record) && !is_undefined(record) && !is_unstable(record); }
+
+std::string unstable_sentence(int n) {
+  return counted(n, "explicit run is", "explicit runs are") + " unstable: their steps are beyond the limit, as the " +
+         "tables of step limits have it.";
 }
 
 // Names from a store are untrusted, and readers paste commands into a shell: only plain words become part of one.
@@ -183,8 +188,10 @@ Verdict verdict_of(const Evaluation& evaluation) {
   if (!evaluation.input.records.empty()) {
     verdict.sentences.push_back(speed_up_sentence(verdict));
     verdict.sentences.push_back(other_norms_sentence(evaluation));
-    verdict.n_failed_runs = count_failed_runs(evaluation);
+    verdict.n_failed_runs = count_runs(evaluation, is_failed);
+    verdict.n_unstable_runs = count_runs(evaluation, is_unstable);
     verdict.sentences.push_back(failure_sentence(failures_of(evaluation), verdict.n_failed_runs));
+    if (verdict.n_unstable_runs > 0) verdict.sentences.push_back(unstable_sentence(verdict.n_unstable_runs));
   }
   return verdict;
 }

@@ -14,7 +14,8 @@ struct Verdict {
   int n_checks = 0, n_hold = 0, n_not_decidable = 0, n_not_measured = 0;
   std::vector<SpeedUp> at_target;      // a case: its cheapest reduced run within the error target
   std::optional<double> median;        // [-] speed-up over those that have a rival
-  int n_failed_runs = 0;               // runs with a measure that failed; undefined ones are none
+  int n_failed_runs = 0;               // runs with a measure that failed; undefined and unstable ones are none
+  int n_unstable_runs = 0;             // explicit integrators beyond their step limit
   std::vector<std::string> sentences;  // plain text, untrusted names within
 };
 Verdict verdict_of(const Evaluation& evaluation);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "harness/analysis/analysis.h"
@@ -16,10 +17,19 @@ namespace mb {
 
 namespace {
 
-// A blow-up is what a step beyond its limit does to an explicit integrator: a result, like any other error.
-bool is_failure(const Record& record, const Integrator& integrator) {
-  if (record.status == "ok" || record.status.starts_with("undefined")) return false;
-  return !(integrator.conditionally_stable && record.status == "not_finite");
+constexpr double blown_up = 1e3;  // [-] error of a finite answer that has left the truth behind
+
+bool is_failure(const Record& record) {
+  return record.status != "ok" && record.status != "unstable" && !record.status.starts_with("undefined");
+}
+
+// A blow-up is what a step beyond its limit does to an explicit integrator: a result with a name of its own.
+void name_blow_up(std::vector<Record>& marks, const Integrator& integrator) {
+  const bool blew_up = std::ranges::any_of(marks, [](const Record& r) {
+    return r.status == "not_finite" || (r.metric == "displacement-error" && r.value > blown_up);
+  });
+  if (!blew_up || !integrator.conditionally_stable) return;
+  for (Record& record : marks) record.status = "unstable", record.value = std::numeric_limits<double>::quiet_NaN();
 }
 
 // Every n-th sample.
@@ -106,8 +116,7 @@ class CaseRun {
       const bool again = options_.again || !store_.has_records(record.run);
       std::vector<Record> records = again ? marks(grader, record, *ready.prepared) : stored_marks(record.run);
       if (again) store_.write_records(record.run, records);
-      const Integrator& integrator = catalogue_.integrator(job.contender.integrator);
-      outcome_.n_failed += std::ranges::any_of(records, [&](const Record& r) { return is_failure(r, integrator); });
+      outcome_.n_failed += std::ranges::any_of(records, is_failure);
       if (options_.timed) {
         // What gave no answer has no time; its file says that it was looked at.
         const bool answered = std::ranges::any_of(records, [](const Record& r) { return r.status == "ok"; });
@@ -130,6 +139,7 @@ class CaseRun {
   std::vector<Record> marks(const Grader& grader, const Record& record, const Prepared& prepared) const {
     const Trajectory answer = prepared.simulate({.t = sample_times(*scene_)});
     std::vector<Record> records = grader.marks(record, answer);
+    name_blow_up(records, catalogue_.integrator(record.contender.integrator));
     store_.write_trajectory(record.run,
                             thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));
     if (record.contender.integrator == "exact")

@@ -70,6 +70,7 @@ export interface Report {
     not_measured: number;
     at_target: number;
     failed_runs: number;
+    unstable_runs: number;
     median: string | null;
     sentences: string[];
   };

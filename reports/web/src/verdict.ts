@@ -53,7 +53,7 @@ function tiles(report: Report): HTMLElement {
     tile(
       String(v.failed_runs),
       'failed runs',
-      `of ${contenders} contenders`,
+      `of ${contenders} contenders` + (v.unstable_runs ? `; ${v.unstable_runs} explicit ones are unstable` : ''),
       v.failed_runs ? 'bad' : contenders ? 'good' : 'plain',
     ),
     tile(report.environment.profile ?? 'unknown', 'profile', report.cases.map((one) => one.name).join(', '), 'plain'),
