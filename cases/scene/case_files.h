@@ -31,7 +31,8 @@ inline std::string content(const std::filesystem::path& file) {
   return text.str();
 }
 
-inline std::string cylinder_text() { return content(cases_folder() / "cylinder-compression.toml"); }
+// A cylinder under compression, to be changed line by line.
+inline std::string cylinder_text() { return content(cases_folder() / "scene/example.toml"); }
 
 // The text with one passage replaced; throws where it does not stand there exactly once, so that no test is void.
 inline std::string with(std::string text, const std::string& passage, const std::string& replacement) {

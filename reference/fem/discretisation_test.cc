@@ -92,7 +92,7 @@ TEST(Discretisation, RefusesResolutionsOutOfRange) {
                                                                                    {box, {5, {1, 1, 1}}},
                                                                                    {box, {1, {1, 1}}},
                                                                                    {box, {1, {0, 1, 1}}},
-                                                                                   {box, {1, {1, 1, 257}}},
+                                                                                   {box, {1, {1, 1, 1025}}},
                                                                                    {cylinder, {1, {-1, 1}}},
                                                                                    {cylinder, {1, {0, 0}}},
                                                                                    {cylinder, {1, {3, 1}}},

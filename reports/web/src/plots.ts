@@ -175,7 +175,7 @@ export async function drawPlots(report: Report, choice: Choice): Promise<void> {
   const { plots } = report;
   const quantity = plots.quantities[choice.quantity];
   const { data, failed } = select(report, choice);
-  const lost = failed ? ` ${failed} failed ${failed === 1 ? 'contender is' : 'contenders are'} not drawn.` : '';
+  const lost = failed ? ` ${failed} ${failed === 1 ? 'contender' : 'contenders'} without a number not drawn.` : '';
   byId('work-note').textContent =
     `Grey steps: the least error for a given time. Hollow marks lie below the truth\u2019s error bar ` +
     `(grey band).${lost}`;
