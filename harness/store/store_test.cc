@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "harness/store/hash.h"
 #include "harness/store/scratch_folder_test.h"
 
@@ -81,6 +83,40 @@ TEST(Store, DamagedRecordsAreNamedAndLeftOut) {
   EXPECT_EQ(lines.refused[1].line, 2);
   EXPECT_EQ(lines.refused[1].file.filename(), high + ".jsonl");
   EXPECT_EQ(store.rebuild_results().size(), 2u);
+}
+
+TEST(Store, TimesStandBesideMarksAndGoWithThem) {
+  const ScratchFolder folder;
+  const Store store(folder / "results");
+  Record time = record(low, 1e-3);
+  time.metric = "online-time", time.truth = "", time.unit = "s";
+  store.write_records(low, {record(low, 0.5)});
+  EXPECT_FALSE(store.has_times(low));
+  store.write_times(low, {time});
+  EXPECT_TRUE(store.has_times(low));
+  EXPECT_EQ(store.read_records_of(low).records.size(), 1u);
+  EXPECT_EQ(store.read_all_records().records.size(), 2u);
+  store.write_records(low, {record(low, 0.25)});  // other marks: the old times are not theirs
+  EXPECT_FALSE(store.has_times(low));
+  EXPECT_EQ(store.read_all_records().records.size(), 1u);
+}
+
+TEST(Store, FindingsComeBackAndDamagedOnesAreNamed) {
+  const ScratchFolder folder;
+  const Store store(folder / "results");
+  Finding finding;
+  finding.run = low, finding.analysis = finding.name = "step-limits", finding.case_name = "a", finding.profile = "quick";
+  finding.title = "t", finding.note = "n";
+  finding.columns = {{"scheme", ""}, {"dt", "s"}};
+  finding.rows = {{std::string("newmark"), std::numeric_limits<double>::infinity()}};
+  store.write_findings(low, {finding});
+  ASSERT_TRUE(store.has_findings(low));
+  const auto all = store.read_all_findings();
+  ASSERT_EQ(all.findings.size(), 1u) << all.refused[0].reason;
+  EXPECT_EQ(all.findings[0].rows, finding.rows);
+  std::filesystem::resize_file(folder / "results/findings" / (low + ".json"), 20);
+  EXPECT_EQ(store.read_all_findings().findings.size(), 0u);
+  EXPECT_EQ(store.read_all_findings().refused.size(), 1u);
 }
 
 TEST(Store, DamagedTrajectoriesAreNamedAndCanBeWrittenOver) {
