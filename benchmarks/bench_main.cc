@@ -3,7 +3,6 @@
 #include <iostream>
 
 #include "mechanics/algebra/threads.h"
-#include "mechanics/algebra/threads.h"
 
 int main(int argc, char** argv) {
   mb::use_one_thread();

@@ -14,7 +14,6 @@
 
 #include "benchmarks/bodies.h"
 #include "benchmarks/npy.h"
-#include "mechanics/algebra/threads.h"
 #include "benchmarks/slepc.h"
 #include "harness/measure.h"
 #include "mechanics/algebra/threads.h"

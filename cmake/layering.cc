@@ -1,7 +1,7 @@
 // layering ROOT: reads every #include below the folders of the project and names what breaks its structure:
 //
-//   mechanics <- cases <- {reference, modal, reports} <- harness <- benchmarks    one direction, no edge between answers
-//   one door per third-party library: the only place that includes it
+//   mechanics <- cases <- {reference, modal, reports} <- harness <- benchmarks    one direction, no edge between
+//   answers one door per third-party library: the only place that includes it
 //
 // Prints "file:line: message" per violation; exit code 0 none, 1 some, 2 unreadable tree.
 #include <algorithm>

@@ -120,7 +120,8 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST_F(WriteReport, ListsAReasonOnceWithTheRunsItStruck) {
   write_report(troubled_input(), directory_);
   const std::string text = read(directory_ / "report.md");
-  EXPECT_THAT(text, HasSubstr("6 runs failed. "));  // five of the new reason, one not finite; undefined and unstable are none
+  EXPECT_THAT(text,
+              HasSubstr("6 runs failed. "));  // five of the new reason, one not finite; undefined and unstable are none
   EXPECT_THAT(text,
               HasSubstr("5 runs: point lies in no cell: Q1 1x2, newmark, 5 runs from step 0.02 s to step 0.00125"));
   EXPECT_EQ(count(text, "point lies in no cell"), 2u);  // verdict and table

@@ -41,7 +41,8 @@ std::string checks_sentence(const Verdict& verdict) {
 
 // " over Q3 1x4, newmark, step 0.001 s, 2.9 times as exact; near miss 640"
 std::string over(const SpeedUp& one) {
-  const std::string text = " over " + describe(one.rival[0].contender) + ", " + margin_cell(one).text + " times as exact";
+  const std::string text =
+      " over " + describe(one.rival[0].contender) + ", " + margin_cell(one).text + " times as exact";
   return one.near_miss.empty() ? text : text + "; near miss " + miss_ratio_cell(one).text;
 }
 

@@ -1,5 +1,5 @@
-// A table that an analysis found, beyond the marks of single runs: step limits, aliasing, frequency responses, the error
-// budget. The unit of the store for them, one JSON file each.
+// A table that an analysis found, beyond the marks of single runs: step limits, aliasing, frequency responses, the
+// error budget. The unit of the store for them, one JSON file each.
 #pragma once
 
 #include <map>

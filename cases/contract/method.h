@@ -20,8 +20,8 @@ struct Settings {
 };
 
 struct Sampling {
-  VectorXd t;          // [s] ascending
-  bool strain = true;  // whether strains are wanted at the volume points
+  VectorXd t;               // [s] ascending
+  bool strain = true;       // whether strains are wanted at the volume points
   bool reconstruct = true;  // whether anything is wanted at the points: false steps only, for timing
   double shutter = 0;  // [s] >= 0: answers are exact means over this interval around each time; 0: at the time itself
 };
@@ -60,7 +60,7 @@ struct Integrator {
   std::string name, doc;
   std::unique_ptr<Stepper> (*prepare)(const System& system, const Settings& settings, double duration);
   enum class Knob { none, time_step, tolerance } knob = Knob::time_step;  // what its accuracy is set by
-  bool conditionally_stable = false;  // blows up beyond a largest step
+  bool conditionally_stable = false;                                      // blows up beyond a largest step
 };
 
 class Method {

@@ -91,15 +91,14 @@ TEST(CylinderCompression, truth_and_study) {
   EXPECT_EQ(scene.truth.relative_tolerance, 1e-4);
   EXPECT_EQ(scene.truth.finer, (Resolution{4, {1, 4}}));
   EXPECT_EQ(scene.truth.coarser, (Resolution{3, {1, 4}}));
-  EXPECT_EQ(scene.study.methods,
-            (std::vector<std::string>{"eigenmodes", "static-correction", "linear", "quadratic"}));
+  EXPECT_EQ(scene.study.methods, (std::vector<std::string>{"eigenmodes", "static-correction", "linear", "quadratic"}));
   EXPECT_EQ(scene.study.modes, (std::vector<int>{0, 2, 4, 8, 16, 32, 64, 128}));
   std::set<std::string> full_order, reduced;
   for (const Rival& rival : scene.study.rivals) full_order.insert(rival.integrator);
   for (const Stepping& stepping : scene.study.steppings) reduced.insert(stepping.integrator);
   EXPECT_EQ(full_order, (std::set<std::string>{"central-difference", "newmark", "sundials"}));
-  EXPECT_EQ(reduced, (std::set<std::string>{"central-difference", "explicit-euler", "newmark", "sundials",
-                                            "symplectic-euler"}));
+  EXPECT_EQ(reduced,
+            (std::set<std::string>{"central-difference", "explicit-euler", "newmark", "sundials", "symplectic-euler"}));
 }
 
 TEST(CylinderCompression, checks_say_why) {

@@ -37,7 +37,7 @@ struct Support {
   enum class Kind { fixed, sliding, mean, diaphragm, driven };
   // u = 0; u.n = 0; area mean of w u.n = 0; u - n (u.n) = 0; u = 0 relative to the moving base
   Kind kind;
-  Patch patch;                // all but mean: a whole face (sliding and diaphragm: a plane one)
+  Patch patch;                               // all but mean: a whole face (sliding and diaphragm: a plane one)
   std::optional<Drive> drive = std::nullopt; /* of driven supports; all of a body state the same */
 };
 
@@ -119,7 +119,7 @@ struct Check {
 
 struct Scene {
   std::string name, title, purpose, source;
-  std::string exercises;  // what of the suite the case tries, one line
+  std::string exercises;                                          // what of the suite the case tries, one line
   std::vector<std::string> runs_in{"quick", "standard", "full"};  // profiles in which it runs where none is named
   std::vector<Body> bodies;
   std::vector<Load> loads;

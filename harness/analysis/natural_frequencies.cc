@@ -69,13 +69,14 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
   std::vector<OnMesh> meshes;
   for (const Resolution& r : {scene.truth.coarser, scene.bodies.front().resolution, scene.truth.finer})
     meshes.push_back(on_mesh(context, r, n));
-  Finding found = table(
-      "frequencies", "frequencies", "Natural frequencies against published ones",
-      fmt::format("Modes in ascending order; relative uncertainty of the reference {:.0e}. Error: f/f_reference - 1, on "
-                  "the body's mesh where no other is named. Order: between the meshes of one degree that are furthest "
-                  "apart, each an even split of the other.",
-                  reference.uncertainty),
-      {{"mode", ""}, {"reference", "Hz"}, {"frequency", "Hz"}, {"error", "-"}});
+  Finding found =
+      table("frequencies", "frequencies", "Natural frequencies against published ones",
+            fmt::format(
+                "Modes in ascending order; relative uncertainty of the reference {:.0e}. Error: f/f_reference - 1, on "
+                "the body's mesh where no other is named. Order: between the meshes of one degree that are furthest "
+                "apart, each an even split of the other.",
+                reference.uncertainty),
+            {{"mode", ""}, {"reference", "Hz"}, {"frequency", "Hz"}, {"error", "-"}});
   for (const OnMesh& mesh : meshes) found.columns.push_back({"error " + to_string(mesh.resolution), "-"});
   found.columns.push_back({"order", "-"});
   for (Index i = 0; i < n; ++i) {

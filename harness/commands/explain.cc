@@ -45,7 +45,8 @@ std::vector<Meaning> vocabulary(const Catalogue& catalogue) {
                      {{"", key.meaning},
                       {"takes", takes(key)},
                       {key.fallback.starts_with("required") ? "needed" : "default", key.fallback},
-                      {"for example", key.example.empty() ? "" : key.path.substr(key.path.rfind('.') + 1) + " = " + key.example}}});
+                      {"for example",
+                       key.example.empty() ? "" : key.path.substr(key.path.rfind('.') + 1) + " = " + key.example}}});
   return all;
 }
 

@@ -78,9 +78,9 @@ bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored,
     const Check& check = result.check;
     if (!all_ran && result.status == "no record") continue;
     const bool upper = check.at_most.has_value();
-    const std::string of = check.table.empty()
-                               ? fmt::format("{} r={} · {} against {}", check.method, check.modes, check.metric, check.truth)
-                               : subject_of(check);
+    const std::string of = check.table.empty() ? fmt::format("{} r={} · {} against {}", check.method, check.modes,
+                                                             check.metric, check.truth)
+                                               : subject_of(check);
     fmt::print(out, "{:<5} {} · {} = {} +- {:.1e} (must be {} {:g}){}\n", result.holds ? "holds" : "FAILS",
                result.case_name, of, result.measured ? fmt::format("{:.3e}", result.value) : result.status,
                result.error_bar, upper ? "at most" : "at least", upper ? *check.at_most : *check.at_least,
@@ -118,8 +118,8 @@ Outcome run_all(const Scenes& scenes, const Catalogue& catalogue, const Store& s
   return outcome;
 }
 
-// Marks and tables by several processes; what they fail at is run again by who calls, and counted there. Computes nothing
-// itself before the last of them has ended.
+// Marks and tables by several processes; what they fail at is run again by who calls, and counted there. Computes
+// nothing itself before the last of them has ended.
 void run_in_parallel(const Scenes& scenes, const Catalogue& catalogue, const Store& store, const RunOptions& options,
                      int n, const Console& console) {
   for (const auto& scene : scenes) {

@@ -105,7 +105,8 @@ TEST(Store, FindingsComeBackAndDamagedOnesAreNamed) {
   const ScratchFolder folder;
   const Store store(folder / "results");
   Finding finding;
-  finding.run = low, finding.analysis = finding.name = "step-limits", finding.case_name = "a", finding.profile = "quick";
+  finding.run = low, finding.analysis = finding.name = "step-limits", finding.case_name = "a",
+  finding.profile = "quick";
   finding.title = "t", finding.note = "n";
   finding.columns = {{"scheme", ""}, {"dt", "s"}};
   finding.rows = {{std::string("newmark"), std::numeric_limits<double>::infinity()}};

@@ -21,8 +21,7 @@ const Bench::Basis& Bench::basis(const LinearMethod& method, const Settings& set
   const bool known = basis_.reduction && basis_.method == method.name() && basis_.modes == settings.modes;
   if (!known) {
     basis_ = {method.name(), settings.modes, nullptr, 0};
-    basis_.time = seconds(
-        [&] { basis_.reduction = std::make_shared<const Reduction>(method.reduce(mesh, settings)); });
+    basis_.time = seconds([&] { basis_.reduction = std::make_shared<const Reduction>(method.reduce(mesh, settings)); });
   }
   return basis_;
 }
@@ -35,8 +34,9 @@ ReadyContender Bench::prepare(const Contender& contender) {
   if (const auto* linear = dynamic_cast<const LinearMethod*>(&method)) {
     const Basis& shared = basis(*linear, contender.settings, mesh);
     ready.preparation = shared.time + seconds([&] {
-      ready.prepared = prepare_linear(shared.reduction, integrator, contender.settings, scene_->duration);
-    });
+                          ready.prepared =
+                              prepare_linear(shared.reduction, integrator, contender.settings, scene_->duration);
+                        });
   } else {
     ready.preparation = seconds([&] { ready.prepared = method.prepare(mesh, contender.settings, integrator); });
   }

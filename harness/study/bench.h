@@ -29,13 +29,13 @@ class Bench {
 
   // One model at a time, the largest thing here: a reference is valid until another resolution is asked for.
   const Model& model(const Resolution& resolution);
-  // Contenders that differ by integrator and step alone share a basis, as long as they follow each other; the time it took
-  // is charged to each.
+  // Contenders that differ by integrator and step alone share a basis, as long as they follow each other; the time it
+  // took is charged to each.
   ReadyContender prepare(const Contender& contender);
 
   // Records of the times of one contender (metrics `online-time`, `stepping-time`, `offline-time`, `assembly-time`).
-  // Five runs of the online part at least where one is cheap, three where it takes less than repeat_below [s]; else one,
-  // without a spread. `stepping-time` of cheap ones alone.
+  // Five runs of the online part at least where one is cheap, three where it takes less than repeat_below [s]; else
+  // one, without a spread. `stepping-time` of cheap ones alone.
   std::vector<Record> times(const Grader& grader, const Record& base, const ReadyContender& ready,
                             double repeat_below) const;
 

@@ -100,13 +100,14 @@ Overrides::Overrides(const std::vector<std::string>& assignments, const Vocabula
     const std::string name = assignment.substr(0, equals);
     const auto key = std::ranges::find(known, name, &Key::name);
     if (equals == std::string::npos || key == known.end()) {
-      problems.push_back(fmt::format("--set {}: unknown key '{}'; {}", assignment, name,
-                                     suggestion(name, names, "keys")));
+      problems.push_back(
+          fmt::format("--set {}: unknown key '{}'; {}", assignment, name, suggestion(name, names, "keys")));
       continue;
     }
     const auto values = split(assignment.substr(equals + 1), ',');
     for (const std::string& value : values)
-      if (const auto why = problem(*key, value); !why.empty()) problems.push_back(fmt::format("--set {}: {}", name, why));
+      if (const auto why = problem(*key, value); !why.empty())
+        problems.push_back(fmt::format("--set {}: {}", name, why));
     if (!values_.emplace(name, values).second) problems.push_back(fmt::format("--set {}: given twice", name));
   }
   if (!problems.empty()) throw UsageError(fmt::format("{}", fmt::join(problems, "\nmodalbench: ")));
@@ -176,8 +177,7 @@ void Overrides::apply_rivals(Study& study, const Shape& shape) const {
       rival.cells.clear();
       for (const auto& text : *cells) rival.cells.push_back(cells_of(text));
     }
-    if (adaptive && find("rival.relative_tolerances"))
-      rival.relative_tolerances = numbers("rival.relative_tolerances");
+    if (adaptive && find("rival.relative_tolerances")) rival.relative_tolerances = numbers("rival.relative_tolerances");
     if (!adaptive && find("rival.time_steps")) rival.time_steps = numbers("rival.time_steps");
     if (rival.cells.empty() || (rival.time_steps.empty() && rival.relative_tolerances.empty()))
       throw UsageError(fmt::format("--set: rival {} needs rival.cells and rival.{}", rival.integrator,

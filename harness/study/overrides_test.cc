@@ -45,8 +45,8 @@ TEST(OverridesTest, AGridOfIntegratorsAndSteps) {
 }
 
 TEST(OverridesTest, EveryProblemAtOnceWithTheNearestWord) {
-  const std::string all = complaint({"modal.mode=4", "modal.methods=eigenmode", "modal.modes=-1", "rival.degrees=9",
-                                     "rival.cells=1y2", "novalue"});
+  const std::string all = complaint(
+      {"modal.mode=4", "modal.methods=eigenmode", "modal.modes=-1", "rival.degrees=9", "rival.cells=1y2", "novalue"});
   for (const char* part : {"modal.mode", "modal.modes", "eigenmodes", "-1", "9", "1y2", "novalue"})
     EXPECT_THAT(all, HasSubstr(part));
   EXPECT_THAT(complaint({"modal.integrators=newmark"}), HasSubstr("newmark"));  // no step is given

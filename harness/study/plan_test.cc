@@ -54,7 +54,8 @@ TEST(PlanCases, MergingIsCopying) {
     EXPECT_EQ(part.code, 0) << part.err;
     EXPECT_THAT(part.err, HasSubstr("2 runs done"));
     EXPECT_EQ(part.out, "");  // checks are of the whole
-    fs::copy(scratch / ("part" + i), scratch / "whole", fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    fs::copy(scratch / ("part" + i), scratch / "whole",
+             fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   }
   const Said whole = modalbench(scratch.path(), {"run", "case.toml", "--store", "whole"});
   EXPECT_EQ(whole.code, 0) << whole.err;

@@ -37,7 +37,8 @@ Trajectory thinned(const Trajectory& all, Index n) {
   const auto kept = Eigen::seq(0, all.t.size() - 1, std::max<Index>(1, n));
   Trajectory few{all.t(kept), {}, all.work, all.status};
   for (const BodyTrajectory& body : all.bodies)
-    few.bodies.push_back({body.displacement.cols() > 0 ? MatrixXd(body.displacement(Eigen::all, kept)) : MatrixXd(), {}});
+    few.bodies.push_back(
+        {body.displacement.cols() > 0 ? MatrixXd(body.displacement(Eigen::all, kept)) : MatrixXd(), {}});
   return few;
 }
 
@@ -140,8 +141,7 @@ class CaseRun {
     const Trajectory answer = prepared.simulate({.t = sample_times(*scene_)});
     std::vector<Record> records = grader.marks(record, answer);
     name_blow_up(records, catalogue_.integrator(record.contender.integrator));
-    store_.write_trajectory(record.run,
-                            thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));
+    store_.write_trajectory(record.run, thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));
     if (record.contender.integrator == "exact")
       records.push_back(grader.number(record, "load-error", "-", prepared.load_error(), std::nan("")));
     return records;

@@ -21,8 +21,8 @@
 namespace mb {
 
 struct TruthSet {
-  Trajectory finer, coarser;    // scene.truth.finer and its neighbour, at the scene's tolerance
-  Trajectory same_mesh, loose;  // the body's mesh at a hundredth of the tolerance, and at the tolerance itself
+  Trajectory finer, coarser;        // scene.truth.finer and its neighbour, at the scene's tolerance
+  Trajectory same_mesh, loose;      // the body's mesh at a hundredth of the tolerance, and at the tolerance itself
   std::optional<Trajectory> exact;  // where the scene names a closed form
   double exact_bar = 0;             // [-] relative, of its series
   const Trajectory& of(TruthKind kind) const;  // throws std::logic_error where there is none of that kind

@@ -5,7 +5,8 @@
 // R holds the rigid modes which the supports leave free (R^T M R = I, K R = 0): plain alpha M would brake free fall.
 // In a mode of frequency omega the damping ratio is zeta = alpha/(2 omega) + beta omega/2.
 //
-// Ratios asked for mode by mode add   sum_i d_i (M phi_i)(M phi_i)^T,   d_i = 2 zeta_i omega_i - alpha - beta omega_i^2.
+// Ratios asked for mode by mode add   sum_i d_i (M phi_i)(M phi_i)^T,   d_i = 2 zeta_i omega_i - alpha - beta
+// omega_i^2.
 #pragma once
 
 #include "mechanics/types.h"
