@@ -132,11 +132,15 @@ void rule_on_speed_up(Claim& claim, const Evaluation& evaluation) {
     claim.limits += (claim.limits.empty() ? "" : "; ") + ("no rival reaches the error in " + list(none));
 }
 
+// [-] displacement error by which a shape is still the right one to the eye. Relative to the motion: relative to the
+// body, whatever hardly moves would be right.
+constexpr double visible = 0.1;
+
 // Of the case's run of that method in closed form; nullptr where none.
-const Record* deviation(const Run& run, const std::string& method) {
+const Record* error_of(const Run& run, const std::string& method) {
   if (run.contender.method != method || run.contender.integrator != "exact") return nullptr;
   for (const auto& [measure, record] : run.measures) {
-    if (measure.metric == "surface-deviation" && measure.truth == headline_truth && is_usable(record)) return &record;
+    if (measure.metric == headline_metric && measure.truth == headline_truth && is_usable(record)) return &record;
   }
   return nullptr;
 }
@@ -145,13 +149,13 @@ void rule_on_polynomials(Claim& claim, const Evaluation& evaluation) {
   std::vector<Instance> quadratic, linear;
   for (const Run& run : evaluation.runs) {
     for (auto [method, instances] : {std::pair("quadratic", &quadratic), std::pair("linear", &linear)}) {
-      const Record* record = deviation(run, method);
+      const Record* record = error_of(run, method);
       if (!record) continue;
       const double value = counted_error(*record);
-      instances->push_back({run.case_name, "", value, value <= error_target ? Ruling::holds : Ruling::does_not_hold});
+      instances->push_back({run.case_name, "", value, value <= visible ? Ruling::holds : Ruling::does_not_hold});
     }
   }
-  if (!quadratic.empty()) claim.measured = "largest surface deviation / body size with linear and quadratic modes: ";
+  if (!quadratic.empty()) claim.measured = "displacement error with linear and quadratic modes: ";
   conclude(claim, quadratic);
   if (!quadratic.empty() && !linear.empty()) claim.measured += "; with linear modes alone: " + by_label(linear);
 }
@@ -187,7 +191,7 @@ void rule_on(Claim& claim, const Evaluation& evaluation) {
     conclude(claim, rows_of(evaluation, claim.id, "aliasing-claim", "frame rate", "aliasing cut modal"));
   } else if (claim.id == "C4") {
     claim.evidence = "contenders";
-    claim.criterion = "surface deviation of method quadratic (24 functions) at most 1 % of the body's size";
+    claim.criterion = "displacement error of method quadratic (24 functions) against finer at most 10 %";
     rule_on_polynomials(claim, evaluation);
   } else if (claim.id == "C6") {
     claim.evidence = "step-limits";

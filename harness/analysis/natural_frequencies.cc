@@ -36,7 +36,7 @@ OnMesh on_mesh(const AnalysisContext& context, const Resolution& resolution, int
   return {resolution, modes.omega.segment(modes.n_rigid, n) / (2 * pi)};
 }
 
-// h_a / h_b where b is a with all its cells split evenly, of the same degree; else NaN.
+// h_a / h_b where the cells of b are those of a scaled evenly, of the same degree; else NaN.
 double refinement(const Resolution& a, const Resolution& b) {
   if (a.degree != b.degree || a == b || a.cells.size() != b.cells.size()) return nan;
   const double ratio = static_cast<double>(b.cells.front()) / a.cells.front();
@@ -45,15 +45,18 @@ double refinement(const Resolution& a, const Resolution& b) {
   return ratio;
 }
 
-// Between the pair of meshes furthest apart; NaN where there is none or an error is not resolved.
+// Between the finest two meshes of one degree and shape of cell, where the order is nearest its limit; NaN where there
+// are none or an error is not resolved.
 double observed_order(const std::vector<OnMesh>& meshes, const std::vector<double>& errors, double uncertainty) {
-  double widest = 1, order = nan;
+  int finest = 0;  // cells of the coarser of the pair
+  double order = nan;
   for (size_t a = 0; a < meshes.size(); ++a)
     for (size_t b = 0; b < meshes.size(); ++b) {
       const double ratio = refinement(meshes[a].resolution, meshes[b].resolution);
       const bool told = std::min(errors[a], errors[b]) > resolved * uncertainty;
-      if (!told || !(ratio > widest)) continue;
-      widest = ratio;
+      const int coarser = meshes[a].resolution.cells.front();
+      if (!told || !(ratio > 1) || coarser <= finest) continue;
+      finest = coarser;
       order = std::log(errors[a] / errors[b]) / std::log(ratio);
     }
   return order;
@@ -69,14 +72,14 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
   std::vector<OnMesh> meshes;
   for (const Resolution& r : {scene.truth.coarser, scene.bodies.front().resolution, scene.truth.finer})
     meshes.push_back(on_mesh(context, r, n));
-  Finding found =
-      table("frequencies", "frequencies", "Natural frequencies against published ones",
-            fmt::format(
-                "Modes in ascending order; relative uncertainty of the reference {:.0e}. Error: f/f_reference - 1, on "
-                "the body's mesh where no other is named. Order: between the meshes of one degree that are furthest "
-                "apart, each an even split of the other.",
-                reference.uncertainty),
-            {{"mode", ""}, {"reference", "Hz"}, {"frequency", "Hz"}, {"error", "-"}});
+  Finding found = table(
+      "frequencies", "frequencies", "Natural frequencies against published ones",
+      fmt::format(
+          "Modes in ascending order; relative uncertainty of the reference {:.0e}. Error: f/f_reference - 1, on "
+          "the body's mesh where no other is named. Order: between the finest two meshes of one degree whose cells "
+          "are of one shape.",
+          reference.uncertainty),
+      {{"mode", ""}, {"reference", "Hz"}, {"frequency", "Hz"}, {"error", "-"}});
   for (const OnMesh& mesh : meshes) found.columns.push_back({"error " + to_string(mesh.resolution), "-"});
   found.columns.push_back({"order", "-"});
   for (Index i = 0; i < n; ++i) {
