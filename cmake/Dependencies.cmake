@@ -29,6 +29,7 @@ function(mb_find_library name header)
   endforeach()
 endfunction()
 mb_find_library(cholmod cholmod.h LIBRARIES cholmod openblas SUFFIXES suitesparse)
+mb_find_library(umfpack umfpack.h LIBRARIES umfpack SUFFIXES suitesparse)
 mb_find_library(arpack arpack/arpack.hpp LIBRARIES arpack)
 mb_find_library(sundials arkode/arkode_arkstep.h LIBRARIES sundials_arkode sundials_nvecserial)
 # The serial HDF5: deal.II brings the MPI one, whose headers the door of ours must never see.

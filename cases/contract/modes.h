@@ -10,7 +10,7 @@ struct Modes {
   VectorXd omega;         // [rad/s] ascending
   MatrixXd Phi;           // n x number of modes
   VectorXd residual;      // [-] elastic: |K phi - lambda M phi| / |lambda M phi|; rigid: |K phi| / (lambda_1 |M phi|)
-  double lambda_max = 0;  // [1/s^2] largest eigenvalue of (K, M), to 1e-3
+  double lambda_max = 0;  // [1/s^2] largest eigenvalue of (K, M), at most 3 % above it
   Index size() const { return omega.size(); }
 };
 

@@ -109,7 +109,7 @@ TEST(LowestModes, LanczosAndDenseSolverAgree) {
   ASSERT_EQ(all.size(), beam.K.rows());
   EXPECT_LT(largest_relative_difference(few.omega.tail(few.size() - 6), all.omega.segment(6, few.size() - 6)), 1e-10);
   EXPECT_GE(few.lambda_max, all.lambda_max * (1 - 1e-12));
-  EXPECT_LE(few.lambda_max, all.lambda_max * (1 + 1e-3));
+  EXPECT_LE(few.lambda_max, all.lambda_max * 1.03);
   // Same subspace: the singular values of Phi^T M Psi are all 1.
   const MatrixXd overlap = few.Phi.transpose() * (beam.M * all.Phi.leftCols(few.size()));
   EXPECT_GT(Eigen::BDCSVD<MatrixXd>(overlap).singularValues().minCoeff(), 1 - 1e-10);
