@@ -13,10 +13,14 @@ struct Section {
   const char *analysis, *heading;
   bool before_speed_up;
 };
-constexpr Section sections[] = {
-    {"budget", "Error budget", true},        {"step-limits", "Step limits", true},
-    {"aliasing", "Temporal aliasing", true}, {"frequency-response", "Frequency response", false},
-    {"damping", "Damping", false},           {"mode-amplitudes", "Mode amplitudes", false}};
+constexpr Section sections[] = {{"budget", "Error budget", true},
+                                {"step-limits", "Step limits", true},
+                                {"aliasing", "Temporal aliasing", true},
+                                {"frequency-response", "Frequency response", false},
+                                {"damping", "Damping", false},
+                                {"mode-amplitudes", "Mode amplitudes", false},
+                                {"frequencies", "Natural frequencies", false},
+                                {"probe-extremes", "Extremes at the probes", false}};
 
 std::ptrdiff_t place(const std::string& analysis) {
   return std::find_if(std::begin(sections), std::end(sections),

@@ -50,13 +50,19 @@ TEST(Findings, RowsOfAnyLengthAreBroughtToTheColumns) {
 
 TEST(Findings, GroupsComeInTheReportsOrder) {
   ReportInput input;
-  for (const char* analysis : {"zebra", "damping", "budget", "mode-amplitudes", "aliasing", "step-limits"}) {
+  for (const char* analysis :
+       {"zebra", "probe-extremes", "damping", "budget", "frequencies", "mode-amplitudes", "aliasing", "step-limits"}) {
     input.findings.push_back(synthetic::finding("shear", analysis, analysis, {{"a", ""}}));
   }
-  std::vector<std::string> order;
+  std::vector<std::string> order, headings;
   const Evaluation evaluation = evaluate(input);
-  for (const FindingGroup& group : finding_groups(evaluation)) order.push_back(group.analysis);
-  EXPECT_THAT(order, testing::ElementsAre("budget", "step-limits", "aliasing", "damping", "mode-amplitudes", "zebra"));
+  for (const FindingGroup& group : finding_groups(evaluation)) {
+    order.push_back(group.analysis);
+    headings.push_back(group.heading);
+  }
+  EXPECT_THAT(order, testing::ElementsAre("budget", "step-limits", "aliasing", "damping", "mode-amplitudes",
+                                          "frequencies", "probe-extremes", "zebra"));
+  EXPECT_THAT(headings, testing::IsSupersetOf({"Natural frequencies", "Findings: zebra"}));
   EXPECT_TRUE(stands_before_speed_up("aliasing"));
   EXPECT_FALSE(stands_before_speed_up("damping"));
 }

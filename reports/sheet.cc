@@ -72,6 +72,7 @@ std::vector<Sheet> split(const Sheet& table) {
     std::string title = table.title;
     for (std::size_t j = 0; j < static_cast<std::size_t>(table.n_keys); ++j) {
       key.push_back(row[j].text);
+      if (row[j].text.empty()) continue;  // a check on a table has no truth
       title += (j == 0 ? ": " : ", ") + table.columns[j].name + " " + row[j].text;
     }
     Sheet empty{.name = table.name, .title = title, .note = table.note, .columns = table.columns, .rows = {}};

@@ -169,6 +169,12 @@ inline Scene scene() {
   scene.checks = {check("static-correction", "displacement-error", 32, 0.02, "32 modes resolve the pulse"),
                   check("eigenmodes", "strain-error", 64, 0.15, "plain truncation misses the loaded faces"),
                   check("static-correction", "displacement-error", 128, 1e-4, "tighter than the truth can tell")};
+  Check of_table{};
+  of_table.table = "step-limits";
+  of_table.column = "measured / formula";
+  of_table.at_least = 0.999;
+  of_table.why = "theory is met to 1e-3";
+  scene.checks.push_back(of_table);
   return scene;
 }
 
