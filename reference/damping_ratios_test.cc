@@ -1,4 +1,4 @@
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "reference/static_answer.h"
 
@@ -9,7 +9,7 @@ const Material rubber{2e4, 0.45, 1100};
 
 // All modes by a dense solver; asked for n elastic ones it returns n + extra.
 ModeSolver dense_modes(int extra) {
-  return [extra](const System& s, int n_elastic) {
+  return [extra](const System& s, const Body&, int n_elastic) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(s.K), MatrixXd(s.M));
     Modes modes;
     modes.n_rigid = s.R.cols();
@@ -41,7 +41,7 @@ TEST(DampingRatios, AreWhatTheModesGet) {
       const MatrixXd M = s.M, MR = s.M * s.R;
       const MatrixXd C = rayleigh.alpha * (M - MR * MR.transpose()) + rayleigh.beta * MatrixXd(s.K) +
                          s.modal_damping.W * s.modal_damping.d.asDiagonal() * s.modal_damping.W.transpose();
-      const Modes modes = dense_modes(4)(s, 3);  // two more than have ratios
+      const Modes modes = dense_modes(4)(s, scene.bodies[0], 3);  // two more than have ratios
       const MatrixXd c = modes.Phi.transpose() * C * modes.Phi;
       for (Index i = 0; i < modes.size(); ++i) {
         const Index elastic = i - modes.n_rigid;
@@ -69,6 +69,19 @@ TEST(DampingRatios, NeedASolverAndSense) {
   for (const double bad : {-0.01, 11.0, std::nan("")})
     EXPECT_THROW(model({bad}, dense_modes(0)), std::invalid_argument);
   EXPECT_THROW(model({0.02, 0.02}, dense_modes(-1)), std::invalid_argument);  // one mode for two ratios
+}
+
+TEST(DampingRatios, MustAgreeWithinAMultiplet) {
+  const auto of_square_bar = [](const std::vector<double>& ratios) {
+    Scene scene = one_body(Box{{0.1, 0.1, 0.3}}, rubber, {1, {1, 1, 2}});  // bends alike both ways
+    scene.bodies[0].supports = {testing::support(Support::Kind::fixed, testing::face("z-min"))};
+    scene.bodies[0].damping_ratios = ratios;
+    return full_model(scene, scene.bodies[0], scene.bodies[0].resolution, dense_modes(0));
+  };
+  EXPECT_EQ(of_square_bar({0.02, 0.02, 0.1})->system().modal_damping.d.size(), 3);
+  EXPECT_THAT([&] { of_square_bar({0.02, 0.2}); },
+              ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr(
+                  "damping ratios 0.02 and 0.2 of the elastic modes 1 and 2, which have one frequency")));
 }
 
 TEST(BuildModel, HandsTheSolverOn) {

@@ -18,7 +18,7 @@ namespace mb {
 
 // The lowest elastic modes of a system, at least as many as asked for: where a scene states damping ratios mode by
 // mode, full order needs the modes of its own mesh (System::modal_damping), and gets them from who knows how to.
-using ModeSolver = std::function<Modes(const System& system, int n_elastic)>;
+using ModeSolver = std::function<Modes(const System& system, const Body& body, int n_elastic)>;
 
 // Mesh and matrices of one body of the scene at the resolution given. Throws std::invalid_argument for supports which
 // leave nothing free or contradict each other, discs off their face, resolutions out of range, and damping ratios

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "mechanics/system/shifted.h"
 #include "mechanics/system/symmetric_product.h"
+#include "mechanics/system/unbalanced_force.h"
 
 namespace mb {
 
@@ -26,69 +28,59 @@ struct Scales {
 };  // [m], [m/s], both > 0
 
 // Sizes that the motion can reach, in the M norm per root mass: with T the duration, the initial state and the
-// responses to each load at its peak and to the initial velocity of  (K + M/T^2) x = F max|s|.
-Scales motion_scales(const System& system, double duration) {
+// responses to each load at its peak and to the initial velocity of  (K + M/T^2) x = F max|s|, by M + T^2 K.
+Scales motion_scales(const System& system, double duration, const Shifted& shifted) {
   const double mass = system.M.sum() / 3;  // the body's where it is free; a scale is all that is needed
   const auto norm = [&](const SparseMatrix& A, const VectorXd& x) {  // of a nearly rigid x rounding may fall below 0
     const double square = x.dot(A * x) / mass;
     return std::isfinite(square) ? std::sqrt(std::max(0.0, square)) : square;
   };
-  const Shifted quasi_static(system, duration);
   VectorXd x = VectorXd::Zero(system.u0.size());
   Scales scale{norm(system.M, system.u0), norm(system.M, system.v0) + norm(system.K, system.u0)};
   for (Index l = 0; l < system.F.cols(); ++l) {
-    quasi_static.solve(system.F.col(l) * (duration * duration * peak(system.s[static_cast<size_t>(l)], duration)), x);
+    shifted.solve(system.F.col(l) * (duration * duration * peak(system.s[static_cast<size_t>(l)], duration)), x);
     scale.displacement += norm(system.M, x);
     scale.velocity += norm(system.K, x) + norm(system.M, x) / duration;
   }
-  quasi_static.solve(system.M * system.v0, x);
+  shifted.solve(system.M * system.v0, x);
   scale.displacement += std::sqrt(std::max(0.0, system.v0.dot(system.M * x) / mass)) * duration;
   if (!std::isfinite(scale.displacement) || !std::isfinite(scale.velocity))
     throw std::runtime_error("sundials: loads or initial state not finite");
   return {scale.displacement > 0 ? scale.displacement : 1, scale.velocity > 0 ? scale.velocity : 1};  // 1: at rest
 }
 
+// The parts that last: made once, used by every run.
+struct Parts {
+  Parts(const System& system, double duration)
+      : force(system, UnbalancedForce::Mass::consistent), mass(system.M), M(system.M), A(system, duration) {}
+  UnbalancedForce force;
+  SpdFactor mass;
+  SymmetricProduct M;
+  Shifted A;  // M + gamma C + gamma^2 K
+};
+
 // What one run needs at every callback. ARKODE sees it as user data and as the stage solver's content.
 struct Problem {
-  Problem(const System& system_, const SpdFactor& mass_, double gamma)
-      : system(system_),
-        mass(mass_),
-        factors(system_),
-        A(system_, gamma),
-        M(system_.M),
-        b(system_.u0.size()),
-        x(b),
-        Mx(b) {}
+  Problem(Index n_, Parts& parts_) : parts(parts_), n(n_), b(n_), u(n_), v(n_) {}
 
-  const System& system;
-  const SpdFactor& mass;
-  LoadFactors factors;
-  Shifted A;
-  SymmetricProduct M;
-  VectorXd b, x, Mx;
+  Parts& parts;
+  Index n;
+  VectorXd b, u, v;
   void* arkode = nullptr;
   double before = 0;  // [s] next breakpoint: loads are taken from its left
   Work work;
 
   double load_time(double t) const { return std::min(t, std::nextafter(before, 0.0)); }
-  Index n() const { return system.u0.size(); }
-
-  // b = F s(t) - K u
-  void unbalanced(double t, const Eigen::Ref<const VectorXd>& u) {
-    b.noalias() = -(system.K.transpose() * u);
-    b.noalias() += system.F * factors(load_time(t));
-    ++work.load_evaluations;
-  }
 };
 
 int right_hand_side(realtype t, N_Vector y, N_Vector ydot, void* data) {
   Problem& p = *static_cast<Problem*>(data);
-  const Index n = p.n();
-  const Vector u(NV_DATA_S(y), n), v(NV_DATA_S(y) + n, n);
-  Vector(NV_DATA_S(ydot), n) = v;
-  p.unbalanced(t, u);
-  if (is_damped(p.system)) p.b -= apply_damping(p.system, v);
-  p.mass.solve(p.b.data(), NV_DATA_S(ydot) + n);
+  p.u = Vector(NV_DATA_S(y), p.n);
+  p.v = Vector(NV_DATA_S(y) + p.n, p.n);
+  Vector(NV_DATA_S(ydot), p.n) = p.v;
+  p.parts.force(p.load_time(t), p.u, p.v, p.b);
+  p.parts.mass.solve(p.b.data(), NV_DATA_S(ydot) + p.n);
+  ++p.work.load_evaluations;
   ++p.work.solves;
   return 0;
 }
@@ -101,24 +93,24 @@ int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vect
   N_Vector predicted, z, Fi, data;
   void* user;
   if (ARKStepGetNonlinearSystemData(p.arkode, &t, &predicted, &z, &Fi, &gamma, &data, &user) != ARK_SUCCESS) return -1;
-  if (std::abs(gamma / p.A.gamma() - 1) > 1e-12) {  // ARKODE recomputes an unchanged gamma with rounding
-    p.A.set_gamma(gamma);
+  Shifted& A = p.parts.A;
+  if (std::abs(gamma / A.gamma() - 1) > 1e-12) {  // ARKODE recomputes an unchanged gamma with rounding
+    A.set_gamma(gamma);
     ++p.work.factorisations;
   }
-  const Index n = p.n();
-  const Vector predicted_u(NV_DATA_S(predicted), n), data_u(NV_DATA_S(data), n),
-      predicted_v(NV_DATA_S(predicted) + n, n), data_v(NV_DATA_S(data) + n, n);
-  p.x = predicted_u + data_u;
-  p.unbalanced(t, p.x);
-  p.b *= gamma;
-  p.x = predicted_v + data_v;
-  p.M(p.x, p.Mx);
-  p.b += p.Mx;
-  p.A.solve(p.b, p.x);
+  const Vector predicted_u(NV_DATA_S(predicted), p.n), data_u(NV_DATA_S(data), p.n),
+      predicted_v(NV_DATA_S(predicted) + p.n, p.n), data_v(NV_DATA_S(data) + p.n, p.n);
+  p.u = predicted_u + data_u;
+  p.parts.force.without_damping(p.load_time(t), p.u, p.b);
+  ++p.work.load_evaluations;
+  p.v = predicted_v + data_v;
+  p.parts.M(p.v, p.u);
+  p.b = gamma * p.b + p.u;
+  A.solve(p.b, p.v);
   ++p.work.solves;
-  if (!std::isfinite(p.x.sum())) return -1;
-  Vector(NV_DATA_S(correction), n) = data_u + gamma * p.x;
-  Vector(NV_DATA_S(correction) + n, n) = p.x - predicted_v;
+  if (!std::isfinite(p.v.sum())) return -1;
+  Vector(NV_DATA_S(correction), p.n) = data_u + gamma * p.v;
+  Vector(NV_DATA_S(correction) + p.n, p.n) = p.v - predicted_v;
   return SUN_NLS_SUCCESS;
 }
 
@@ -141,11 +133,35 @@ void require(int flag, const char* call) {
     throw std::runtime_error(std::string("SUNDIALS: ") + call + " failed with flag " + std::to_string(flag));
 }
 
+// Where a step has to end.
+struct Stop {
+  double t;   // [s]
+  bool jump;  // a load has another value from here on
+};
+
+// Breakpoints, and the pieces that a load without any, an expression, is resampled to. The last is beyond all times.
+std::vector<Stop> stops(const System& system, double duration) {
+  std::map<double, bool> all;
+  for (const History& s : system.s) {
+    const auto value = evaluator(s);
+    const double small = 1e-9 * peak(s, duration);
+    const auto add = [&](double t) { all[t] |= std::abs(value(t) - value(std::nextafter(t, 0.0))) > small; };
+    for (const double t : breakpoints(s, duration)) add(t);
+    if (!std::holds_alternative<Expression>(s)) continue;
+    for (const Segment& piece : segments(s, duration, expression_resolved).pieces)
+      if (piece.start > 0) add(piece.start);
+  }
+  std::vector<Stop> ascending;
+  for (const auto& [t, jump] : all) ascending.push_back({t, jump});
+  ascending.push_back({std::numeric_limits<double>::max(), false});
+  return ascending;
+}
+
 // ARKODE on one system: owns every SUNDIALS object of one run.
 class Run {
  public:
-  Run(const System& system, const SpdFactor& mass, double tolerance, Scales scales, double gamma, double largest_step)
-      : problem_(system, mass, gamma) {
+  Run(const System& system, Parts& parts, double tolerance, Scales scales, double largest_step)
+      : problem_(system.u0.size(), parts) {
     const Index n = system.u0.size();
     SUNContext context = nullptr;
     require(SUNContext_Create(nullptr, &context), "SUNContext_Create");
@@ -161,19 +177,20 @@ class Run {
     configure(tolerance, largest_step, context);
   }
 
-  // Integrates to t, at most to the breakpoint `before`.
-  int advance(double t, double before) {
-    if (before != problem_.before) {
-      if (problem_.before > 0) require(ARKStepReset(arkode_.get(), problem_.before, y_.get()), "ARKStepReset");
-      problem_.before = before;
+  // Integrates to t, at most to `next`. Past a stop at which loads jump ARKODE starts anew.
+  int advance(double t, const Stop& next) {
+    if (next.t != problem_.before) {
+      if (jumped_) require(ARKStepReset(arkode_.get(), problem_.before, y_.get()), "ARKStepReset");
+      problem_.before = next.t;
+      jumped_ = next.jump;
     }
-    require(ARKStepSetStopTime(arkode_.get(), before), "ARKStepSetStopTime");
+    require(ARKStepSetStopTime(arkode_.get(), next.t), "ARKStepSetStopTime");
     realtype reached = 0;
     return ARKStepEvolve(arkode_.get(), t, y_.get(), &reached, ARK_NORMAL);
   }
 
-  Vector displacement() { return {NV_DATA_S(y_.get()), problem_.n()}; }
-  Vector velocity() { return {NV_DATA_S(y_.get()) + problem_.n(), problem_.n()}; }
+  Vector displacement() { return {NV_DATA_S(y_.get()), problem_.n}; }
+  Vector velocity() { return {NV_DATA_S(y_.get()) + problem_.n, problem_.n}; }
   Work work() const {
     Work work = problem_.work;
     long attempts = 0;
@@ -204,25 +221,12 @@ class Run {
   }
 
   Problem problem_;
+  bool jumped_ = false;  // at the stop behind
   Owned<SUNContext> context_;
   Owned<N_Vector> y_, tolerance_;
   Owned<SUNNonlinearSolver> stage_solver_;
   std::unique_ptr<void, FreeArkode> arkode_;
 };
-
-// [s] Where steps have to end: breakpoints, and the pieces that a load without any, an expression, is resampled to.
-std::vector<double> stops(const System& system, double duration) {
-  std::vector<double> all;
-  for (const History& s : system.s) {
-    for (const double t : breakpoints(s, duration)) all.push_back(t);
-    if (!std::holds_alternative<Expression>(s)) continue;
-    for (const Segment& piece : segments(s, duration, expression_resolved).pieces) all.push_back(piece.start);
-  }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  all.push_back(std::numeric_limits<double>::max());
-  return all;
-}
 
 Status status_of(int flag) {
   if (flag == ARK_TOO_MUCH_WORK) return Status::too_many_steps;
@@ -235,19 +239,18 @@ class Sundials final : public Stepper {
       : system_(system),
         tolerance_(tolerance),
         duration_(duration),
-        mass_(system.M),
-        scales_(motion_scales(system, duration)),
-        breaks_(stops(system, duration)) {}
+        parts_(system, duration),
+        scales_(motion_scales(system, duration, parts_.A)),
+        stops_(stops(system, duration)) {}
 
   States run(const VectorXd& times) const override {
     States out{MatrixXd(system_.u0.size(), times.size()), MatrixXd(system_.u0.size(), times.size()), {}, Status::ok, 0};
-    Run run(system_, mass_, tolerance_, scales_, 1e-3 * duration_, longest_step * duration_);
+    Run run(system_, parts_, tolerance_, scales_, longest_step * duration_);
     size_t next = 0;
     for (Index k = 0; k < times.size(); ++k) {
       int flag = ARK_SUCCESS;
-      for (; breaks_[next] < times[k] && flag >= 0; ++next)
-        if (breaks_[next] > 0) flag = run.advance(breaks_[next], breaks_[next]);
-      if (times[k] > 0 && flag >= 0) flag = run.advance(times[k], breaks_[next]);
+      for (; stops_[next].t < times[k] && flag >= 0; ++next) flag = run.advance(stops_[next].t, stops_[next]);
+      if (times[k] > 0 && flag >= 0) flag = run.advance(times[k], stops_[next]);
       if (flag < 0 || !run.displacement().allFinite()) {
         out.status = flag < 0 ? status_of(flag) : Status::not_finite;
         break;
@@ -257,15 +260,16 @@ class Sundials final : public Stepper {
       out.n_valid = k + 1;
     }
     out.work = run.work();
+    out.work.factorisations += (parts_.mass.is_diagonal() ? 0 : 1) + (parts_.A.is_diagonal() ? 0 : 1);
     return out;
   }
 
  private:
   const System& system_;
   double tolerance_, duration_;
-  SpdFactor mass_;
+  mutable Parts parts_;  // a run leaves its last factor behind; what it starts from changes no digit
   Scales scales_;
-  std::vector<double> breaks_;  // [s] ascending, the last beyond all times
+  std::vector<Stop> stops_;
 };
 
 }  // namespace

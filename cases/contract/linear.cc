@@ -1,6 +1,7 @@
 #include "cases/contract/linear.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "mechanics/history/mean.h"
@@ -15,23 +16,37 @@ MatrixXd observe(const Observation& observation, const MatrixXd& q, const Matrix
 
 namespace {
 
-// Factors of the loads at the times t, or their means over the shutter around them; loads x n_t. Chirps and expressions
-// are resampled for means as they are for the closed form that moves the modes.
-MatrixXd load_factors(const std::vector<History>& histories, const Sampling& sampling, double tolerance) {
-  const VectorXd& t = sampling.t;
-  const double half = sampling.shutter / 2;
-  MatrixXd s(static_cast<Index>(histories.size()), t.size());
-  for (Index l = 0; l < s.rows() && t.size() > 0; ++l) {
-    const History& history = histories[static_cast<size_t>(l)];
-    if (half > 0) {
-      const Segments chain = segments(history, t[t.size() - 1] + half, tolerance);
-      for (Index k = 0; k < t.size(); ++k) s(l, k) = mean(chain, t[k] - half, t[k] + half);
-    } else {
-      const auto value_at = evaluator(history);
-      for (Index k = 0; k < t.size(); ++k) s(l, k) = value_at(t[k]);
+// The loads of one body, ready to be read off at times or as means, these from the pieces that the closed form moves
+// the modes with.
+class LoadSignals {
+ public:
+  LoadSignals(const std::vector<History>& histories, double duration, double tolerance) {
+    for (const History& history : histories) {
+      values_.push_back(evaluator(history));
+      chains_.push_back(segments(history, duration, tolerance));
     }
   }
-  return s;
+
+  // loads x n_t
+  MatrixXd at(const Sampling& sampling) const {
+    const VectorXd& t = sampling.t;
+    const double half = sampling.shutter / 2;
+    MatrixXd s(static_cast<Index>(values_.size()), t.size());
+    for (Index l = 0; l < s.rows(); ++l) {
+      const auto i = static_cast<size_t>(l);
+      for (Index k = 0; k < t.size(); ++k)
+        s(l, k) = half > 0 ? mean(chains_[i], t[k] - half, t[k] + half) : values_[i](t[k]);
+    }
+    return s;
+  }
+
+ private:
+  std::vector<std::function<double(double)>> values_;
+  std::vector<Segments> chains_;
+};
+
+bool is_corrected(const LinearBody& body) {
+  return body.displacement.of_load.cols() > 0 || body.strain.of_load.cols() > 0;
 }
 
 Work operator+(const Work& a, const Work& b) {
@@ -43,9 +58,12 @@ class PreparedLinear final : public Prepared {
  public:
   PreparedLinear(std::shared_ptr<const Reduction> reduction, const Integrator& integrator, const Settings& settings,
                  double duration)
-      : reduction_(std::move(reduction)), load_tolerance_(settings.load_tolerance) {
-    for (const LinearBody& body : reduction_->bodies)
+      : reduction_(std::move(reduction)) {
+    for (const LinearBody& body : reduction_->bodies) {
       steppers_.push_back(integrator.prepare(body.system, settings, duration));
+      const std::vector<History> seen = is_corrected(body) ? body.system.s : std::vector<History>();
+      loads_.emplace_back(seen, duration, settings.load_tolerance);
+    }
   }
 
   Trajectory simulate(const Sampling& sampling) const override {
@@ -57,7 +75,8 @@ class PreparedLinear final : public Prepared {
           sampling.shutter > 0 ? stepper.averages(sampling.t, sampling.shutter) : stepper.run(sampling.t);
       answer.work = answer.work + states.work;
       if (answer.status == Status::ok) answer.status = states.status;
-      if (sampling.reconstruct) answer.bodies.push_back(reconstruct(reduction_->bodies[i], states.u, sampling));
+      if (sampling.reconstruct)
+        answer.bodies.push_back(reconstruct(reduction_->bodies[i], loads_[i], states.u, sampling));
     }
     return answer;
   }
@@ -75,15 +94,15 @@ class PreparedLinear final : public Prepared {
   }
 
  private:
-  BodyTrajectory reconstruct(const LinearBody& body, const MatrixXd& q, const Sampling& sampling) const {
-    const bool corrected = body.displacement.of_load.cols() > 0 || body.strain.of_load.cols() > 0;
-    const MatrixXd s = corrected ? load_factors(body.system.s, sampling, load_tolerance_) : MatrixXd();
+  static BodyTrajectory reconstruct(const LinearBody& body, const LoadSignals& loads, const MatrixXd& q,
+                                    const Sampling& sampling) {
+    const MatrixXd s = is_corrected(body) ? loads.at(sampling) : MatrixXd();
     return {observe(body.displacement, q, s), sampling.strain ? observe(body.strain, q, s) : MatrixXd()};
   }
 
   std::shared_ptr<const Reduction> reduction_;  // steppers refer to its systems
   std::vector<std::unique_ptr<Stepper>> steppers_;
-  double load_tolerance_;  // [-]
+  std::vector<LoadSignals> loads_;  // without any where a body needs none
 };
 
 }  // namespace

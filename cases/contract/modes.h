@@ -5,6 +5,9 @@
 
 namespace mb {
 
+// lambda_{i+1} and lambda_i belong to one multiplet where they differ by at most this part of the larger.
+inline constexpr double multiplet_gap = 1e-6;
+
 struct Modes {
   Index n_rigid = 0;      // the first n_rigid columns are rigid: omega = 0
   VectorXd omega;         // [rad/s] ascending

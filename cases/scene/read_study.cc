@@ -28,6 +28,22 @@ void check_dense(const Methods& methods, const std::vector<BodyDraft>& bodies, F
   }
 }
 
+// Ratios of single modes couple polynomial functions, which are not modes of the body: no equation stands alone.
+void check_uncoupled(const Methods& methods, const std::vector<BodyDraft>& bodies, const Vocabulary& vocabulary,
+                     Findings& findings) {
+  for (const auto& method : methods) {
+    if (method.value == "full" || takes_modes(method.value, vocabulary)) continue;
+    for (const BodyDraft& body : bodies) {
+      if (body.damping.ratios.empty()) continue;
+      findings.error(
+          method.where,
+          fmt::format("'{}' has no closed form for body '{}', whose damping ratios of single modes couple it",
+                      method.value, body.name.value_or("")),
+          "as a method of [[study.stepping]] it takes them");
+    }
+  }
+}
+
 // The mode counts of the study or, in their place, the profile's. Required where a method takes a mode count.
 std::vector<int> effective_modes(Section& section, std::optional<Section>& profile, bool required,
                                  const std::vector<BodyDraft>& bodies) {
@@ -58,7 +74,10 @@ Study read_study(Section section, std::optional<Section>& profile, const std::ve
                  const Vocabulary& vocabulary, const StudyTimes& times) {
   Study study;
   const auto methods = read_methods(section, vocabulary);
-  if (methods) check_dense(*methods, bodies, section.findings());
+  if (methods) {
+    check_dense(*methods, bodies, section.findings());
+    check_uncoupled(*methods, bodies, vocabulary, section.findings());
+  }
   study.methods = values_of(methods);
   study.modes = effective_modes(section, profile, methods && take_modes(*methods, vocabulary), bodies);
   study.analyses = read_analyses(section, vocabulary);

@@ -14,11 +14,19 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int n_modes = 40;
 
-// What the scene states for elastic mode i (from 0): its ratio, or Rayleigh's zeta = alpha/(2 omega) + beta omega/2.
-double asked(const Body& body, Index i, double omega) {
-  if (body.damping_ratios.empty()) return body.damping.alpha / (2 * omega) + body.damping.beta * omega / 2;
-  const auto mode = static_cast<size_t>(i);
-  return mode < body.damping_ratios.size() ? body.damping_ratios[mode] : 0;
+// What the scene states for every elastic mode: its ratio, which the rest of its multiplet shares, or Rayleigh's
+// zeta = alpha/(2 omega) + beta omega/2.
+VectorXd asked(const Body& body, const VectorXd& omega) {
+  VectorXd zeta = body.damping.alpha / 2 * omega.cwiseInverse() + body.damping.beta / 2 * omega;
+  const auto n = static_cast<Index>(body.damping_ratios.size());
+  for (Index i = 0; i < omega.size(); ++i) {
+    const auto lambda = [&](Index k) { return omega(k) * omega(k); };
+    if (i < n)
+      zeta(i) = body.damping_ratios[static_cast<size_t>(i)];
+    else if (n > 0 && lambda(i) - lambda(n - 1) <= multiplet_gap * lambda(i))
+      zeta(i) = body.damping_ratios.back();
+  }
+  return zeta;
 }
 
 // From the free decay of mode i of the reduced system, let go from rest: over one damped period it shrinks to
@@ -53,6 +61,7 @@ std::vector<Finding> achieved_damping(const AnalysisContext& context) {
   const System reduced = project(body.system, body.modes);
   const Modes unit{n_rigid, body.modes.omega, MatrixXd::Identity(body.modes.size(), body.modes.size()), {}, 0};
   const VectorXd of_full = damping_ratios(body.system, body.modes), of_reduced = damping_ratios(reduced, unit);
+  const VectorXd of_scene = asked(scene_body, body.modes.omega.tail(n));
   MatrixXd C(n, n);
   for (Index i = 0; i < n; ++i)
     C.row(i) = body.modes.Phi.rightCols(n).transpose() * apply_damping(body.system, body.modes.Phi.col(n_rigid + i));
@@ -72,7 +81,7 @@ std::vector<Finding> achieved_damping(const AnalysisContext& context) {
        {"coupling", "-"}});
   for (Index i = 0; i < n; ++i) {
     const double omega = body.modes.omega(n_rigid + i);
-    found.rows.push_back({count(i + 1), omega / (2 * pi), asked(scene_body, i, omega), of_full(i), of_reduced(i),
+    found.rows.push_back({count(i + 1), omega / (2 * pi), of_scene(i), of_full(i), of_reduced(i),
                           by_decay(reduced, n_rigid + i, omega, of_reduced(i)), coupling(C, i)});
   }
   return {found};

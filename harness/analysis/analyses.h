@@ -4,7 +4,7 @@
 //   step-limits               system | modes r | scheme | integrator | omega max | zeta | formula | dt formula |
 //                             dt measured | measured / formula | omega deciding
 //   step-limit-runs           system | modes r | scheme | integrator | dt / limit | dt | steps | growth by theory |
-//                             growth observed | difference | verdict
+//                             growth observed | difference of logarithms | verdict
 //   step-limit-exponents      claim | scheme | limits fitted | exponent | standard error | claimed | verdict
 //   aliasing                  frame rate | frames | contender | modes r | shutter | sub-samples | aliasing | droop |
 //                             low-band error | frame error

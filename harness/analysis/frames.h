@@ -43,7 +43,8 @@ struct FrameMarks {
 FrameMarks frame_marks(const FrameView& y, const MatrixXd& x_low);  // of weighted values
 
 // Claim C2 at one frame rate: full order and the modal answer without the modes above half of it, both at points.
-std::string aliasing_verdict(const FrameMarks& full, const FrameMarks& cut);
+// in_transition: a mode kept lies where the filter passes only part of it.
+std::string aliasing_verdict(const FrameMarks& full, const FrameMarks& cut, bool in_transition);
 
 // Mean |q_high'|^2 and |q'|^2 over the padded record, signal by signal: twice the kinetic energy where U^T U = I.
 struct BandEnergy {

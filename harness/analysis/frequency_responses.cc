@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
 
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/frequencies.h"
@@ -13,6 +16,10 @@
 namespace mb {
 
 namespace {
+
+using Eigen::MatrixXcd;
+using Eigen::RowVectorXcd;
+using Eigen::RowVectorXd;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Index n_frequencies = 40;
@@ -51,44 +58,72 @@ std::string load_name(const Scene& scene, Index load) {
   return l < scene.loads.size() ? scene.loads[l].name : "base acceleration";
 }
 
-// Responses at one probe under one load.
+using Response = std::function<RowVectorXcd(double f)>;  // at the probe, under every load of unit factor
+
+struct Answer {
+  std::string contender;
+  double r;  // modes used; NaN: full order
+  bool is_drawn;
+  Response response;
+  MatrixXcd u;  // [m] frequencies x loads
+};
+
+// at_probe: displacement along the probe's direction, 1 x n.
+Response of_system(std::shared_ptr<const System> system, const RowVectorXd& at_probe) {
+  const auto response = std::make_shared<FrequencyResponse>(*system);
+  return [system, response, at_probe](double f) -> RowVectorXcd { return at_probe * (*response)(2 * pi * f); };
+}
+
+Answer answer(const std::string& contender, double r, bool is_drawn, const Response& response, const VectorXd& f,
+              Index n_loads) {
+  Answer a{contender, r, is_drawn, response, MatrixXcd(f.size(), n_loads)};
+  for (Index k = 0; k < f.size(); ++k) a.u.row(k) = response(f(k));
+  return a;
+}
+
+// Full order first, then every mode count, without and with static correction.
+std::vector<Answer> answers(const ModalBody& body, const RowVectorXd& probe, const VectorXd& f,
+                            const std::vector<int>& counts) {
+  const Index n_loads = body.system.F.cols();
+  const std::vector<int> drawn = few(counts, 4);
+  const MatrixXd static_response = inertia_relief(body.system, body.shifted, body.system.F);
+  std::vector<Answer> all;
+  all.push_back(answer("full order", nan, true, of_system(std::make_shared<System>(body.system), probe), f, n_loads));
+  for (const int r : counts) {
+    const Modes modes = leading(body.modes, r);
+    const auto used = static_cast<double>(modes.size() - modes.n_rigid);
+    const bool is_drawn = std::find(drawn.begin(), drawn.end(), r) != drawn.end();
+    const Response plain =
+        of_system(std::make_shared<System>(project(body.system, modes)), RowVectorXd(probe * modes.Phi));
+    const RowVectorXcd rest = (probe * residual_flexibility(body.system, modes, static_response)).cast<Complex>();
+    all.push_back(answer("eigenmodes", used, is_drawn, plain, f, n_loads));
+    const Response corrected = [=](double at) -> RowVectorXcd { return plain(at) + rest; };
+    all.push_back(answer("static-correction", used, is_drawn, corrected, f, n_loads));
+  }
+  return all;
+}
+
+// Tables of what a probe answers under every load.
 class Responses {
  public:
-  Responses(const AnalysisContext& context, const ModalBody& body, const Probe& probe, const VectorXd& f)
-      : scene_(*context.scene),
-        body_(body),
+  // has_peaks: every mode is damped, so that a largest amplitude exists.
+  Responses(const Scene& scene, const Probe& probe, const VectorXd& f, bool has_peaks)
+      : scene_(scene),
         f_(f),
-        probe_((body.model.full->displacement_at(probe.point).transpose() * probe.direction).transpose()),
-        static_response_(inertia_relief(body.system, body.shifted, body.system.F)),
-        curves_(curves_table(probe, is_damped(body.system))),
+        has_peaks_(has_peaks),
+        curves_(curves_table(probe, has_peaks)),
         errors_(errors_table()),
         peaks_(peaks_table()) {}
 
-  // all: mode counts to mark; drawn: those of them whose curves are kept.
-  void add(Index load, const std::vector<int>& all, const std::vector<int>& drawn) {
-    const VectorXcd full = of_full(load, f_);
-    draw(load, "full order", nan, full);
+  void add(Index load, const std::vector<Answer>& answers) {
+    const VectorXcd full = answers.front().u.col(load);
     Index k = 0;
     full.cwiseAbs().maxCoeff(&k);
-    const bool has_peak = is_damped(body_.system) && k > 0 && k + 1 < f_.size();
-    if (has_peak) peak(load, "full order", nan, k, [&](const VectorXd& f) { return of_full(load, f); });
-    for (const int r : all) {
-      const Modes modes = leading(body_.modes, r);
-      const System reduced = project(body_.system, modes);
-      const Eigen::RowVectorXd at_probe = probe_ * modes.Phi;
-      const double rest = probe_.dot(residual_flexibility(body_.system, modes, static_response_).col(load));
-      const auto used = static_cast<double>(modes.size() - modes.n_rigid);
-      const bool is_drawn = std::find(drawn.begin(), drawn.end(), r) != drawn.end();
-      for (const auto& [name, flexibility] : {std::pair("eigenmodes", 0.0), std::pair("static-correction", rest)}) {
-        const auto response = [&](const VectorXd& f) -> VectorXcd {
-          const VectorXcd u = (at_probe.cast<Complex>() * frequency_response(reduced, load, 2 * pi * f)).transpose();
-          return u.array() + flexibility;
-        };
-        const VectorXcd u = response(f_);
-        if (is_drawn) draw(load, name, used, u);
-        if (is_drawn && has_peak) peak(load, name, used, k, response);
-        mark(load, name, used, u, full);
-      }
+    const bool has_peak = has_peaks_ && k > 0 && k + 1 < f_.size();
+    for (const Answer& a : answers) {
+      if (a.is_drawn) draw(load, a);
+      if (a.is_drawn && has_peak) peak(load, a, k);
+      if (!std::isnan(a.r)) mark(load, a, full);
     }
   }
   std::vector<Finding> findings() && {
@@ -98,35 +133,37 @@ class Responses {
   }
 
  private:
-  void draw(Index load, const std::string& contender, double r, const VectorXcd& u) {
+  void draw(Index load, const Answer& a) {
     for (Index k = 0; k < f_.size(); ++k)
-      curves_.rows.push_back({load_name(scene_, load), contender, r, f_(k), std::abs(u(k)), std::arg(u(k)) * 180 / pi});
+      curves_.rows.push_back({load_name(scene_, load), a.contender, a.r, f_(k), std::abs(a.u(k, load)),
+                              std::arg(a.u(k, load)) * 180 / pi});
   }
-  void mark(Index load, const std::string& contender, double r, const VectorXcd& u, const VectorXcd& full) {
+  void mark(Index load, const Answer& a, const VectorXcd& full) {
     Index at = 0;
-    const VectorXd deviation = (u - full).cwiseAbs().cwiseQuotient(full.cwiseAbs());
-    const double largest = deviation.maxCoeff(&at);
-    errors_.rows.push_back({load_name(scene_, load), contender, r, (u - full).norm() / full.norm(), largest, f_(at)});
-  }
-
-  VectorXcd of_full(Index load, const VectorXd& f) const {
-    return (probe_ * frequency_response(body_.system, load, 2 * pi * f)).transpose();
+    const VectorXcd difference = a.u.col(load) - full;
+    const double largest = difference.cwiseAbs().cwiseQuotient(full.cwiseAbs()).maxCoeff(&at);
+    errors_.rows.push_back(
+        {load_name(scene_, load), a.contender, a.r, difference.norm() / full.norm(), largest, f_(at)});
   }
   // Between the neighbours of the k-th frequency.
-  void peak(Index load, const std::string& contender, double r, Index k,
-            const std::function<VectorXcd(const VectorXd&)>& response) {
-    const Peak peak =
-        highest([&](double f) { return std::abs(response(VectorXd::Constant(1, f))(0)); }, f_(k - 1), f_(k + 1));
-    peaks_.rows.push_back({contender, load_name(scene_, load), r, peak.at, peak.height});
+  void peak(Index load, const Answer& a, Index k) {
+    const Peak peak = highest([&](double f) { return std::abs(a.response(f)(load)); }, f_(k - 1), f_(k + 1));
+    peaks_.rows.push_back({a.contender, load_name(scene_, load), a.r, peak.at, peak.height});
   }
 
   const Scene& scene_;
-  const ModalBody& body_;
   VectorXd f_;
-  Eigen::RowVectorXd probe_;  // displacement along the probe's direction
-  MatrixXd static_response_;
+  bool has_peaks_;
   Finding curves_, errors_, peaks_;
 };
+
+// Frequencies at which no steady response exists: those of the modes that nothing damps.
+VectorXd resonances(const VectorXd& hertz, const VectorXd& zeta) {
+  std::vector<double> undamped;
+  for (Index i = 0; i < hertz.size(); ++i)
+    if (!(zeta(i) > 1e-9)) undamped.push_back(hertz(i));  // rounding of a ratio of 0
+  return Eigen::Map<const VectorXd>(undamped.data(), std::ssize(undamped));
+}
 
 }  // namespace
 
@@ -142,10 +179,12 @@ std::vector<Finding> frequency_responses(const AnalysisContext& context) {
   if (n_elastic < 2) return {};
   const VectorXd known = body.modes.omega.tail(n_elastic) / (2 * pi);
   const double last = known(std::min<Index>(highest_mode, n_elastic) - 1);
-  const VectorXd f =
-      frequencies_between(known(0) / 5, last, n_frequencies, is_damped(body.system) ? VectorXd() : known);
-  Responses responses(context, body, *probe, f);
-  for (Index load = 0; load < body.system.F.cols(); ++load) responses.add(load, counts, few(counts, 4));
+  const VectorXd undamped = resonances(known, damping_ratios(body.system, body.modes));
+  const VectorXd f = frequencies_between(known(0) / 5, last, n_frequencies, undamped);
+  const RowVectorXd at_probe = probe->direction.transpose() * body.model.full->displacement_at(Matrix3Xd(probe->point));
+  const std::vector<Answer> all = answers(body, at_probe, f, counts);
+  Responses responses(scene, *probe, f, undamped.size() == 0);
+  for (Index load = 0; load < body.system.F.cols(); ++load) responses.add(load, all);
   return std::move(responses).findings();
 }
 

@@ -40,7 +40,7 @@ double static_value(const AnalysisContext& context, const Probe& probe) {
   const FullModel& full = *context.model(scene.bodies.front().resolution).bodies.front().full;
   const System& system = full.system();
   const VectorXd F = system.F * LoadFactors(system)(scene.duration);
-  const MatrixXd u = inertia_relief(system, shifted_factor(system, default_shift(system)), F);
+  const MatrixXd u = inertia_relief(system, shifted_factor(system, physical_shift(scene.bodies.front())), F);
   const VectorXd at = full.displacement_at(Matrix3Xd(probe.point)) * u;
   return probe.direction.dot(at);
 }

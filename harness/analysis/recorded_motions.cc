@@ -27,15 +27,30 @@ MatrixXd without_rigid(const MatrixXd& x, const MatrixXd& rigid) {
   return x - rigid * (rigid.transpose() * rigid).ldlt().solve(rigid.transpose() * x);
 }
 
+// In the first n modes, corrected, in closed form.
+std::unique_ptr<Prepared> corrected(const AnalysisContext& context, const ModalBody& body, Index n) {
+  Modes kept = body.modes;
+  kept.omega.conservativeResize(n);
+  kept.Phi.conservativeResize(Eigen::NoChange, n);
+  const MatrixXd G_F = inertia_relief(body.system, body.shifted, body.system.F);
+  std::vector<LinearBody> bodies;
+  bodies.push_back(reduce(body.model, kept, residual_flexibility(body.system, kept, G_F)));
+  const Scene& scene = *context.scene;
+  Settings settings;
+  settings.load_tolerance = scene.study.load_tolerance;
+  return prepare_linear(std::move(bodies), context.catalogue.integrator("exact"), settings, scene.duration,
+                        static_cast<int>(n - kept.n_rigid));
+}
+
 }  // namespace
 
 RecordedMotions recorded_motions(const AnalysisContext& context, int n_elastic, double f) {
   const Scene& scene = *context.scene;
-  const ModalBody body = body_reaching(context, n_elastic, 2 * pi * f);
+  ModalBody body = body_reaching(context, n_elastic, 2 * pi * f);
   const VectorXd& w = body.model.points.volume.weights;
-  const VectorXd scale = (scene.bodies.front().material.density * w.replicate(1, 3).transpose().reshaped()).cwiseSqrt();
+  VectorXd scale = (scene.bodies.front().material.density * w.replicate(1, 3).transpose().reshaped()).cwiseSqrt();
   const SparseMatrix at_points = scale.asDiagonal() * body.model.displacement.topRows(scale.size());
-  const MatrixXd rigid = is_free(context) ? MatrixXd(at_points * body.system.R) : MatrixXd(scale.size(), 0);
+  MatrixXd rigid = is_free(context) ? MatrixXd(at_points * body.system.R) : MatrixXd(scale.size(), 0);
 
   const Trajectory& truth = context.truth.same_mesh;
   const MatrixXd x = without_rigid(scale.asDiagonal() * truth.bodies.front().displacement.topRows(scale.size()), rigid);
@@ -43,13 +58,28 @@ RecordedMotions recorded_motions(const AnalysisContext& context, int n_elastic, 
   auto stepper = exact(*reduced, scene.duration, scene.study.load_tolerance);
   Recording modal{without_rigid(at_points * body.modes.Phi, rigid),
                   PaddedSpectrum(stepper->run(truth.t).u, scene.samples_per_second)};
+  VectorXd zeta = damping_ratios(body.system, body.modes);
   return {truth.t,
-          recording(x, VectorXd::Ones(scale.size()), scene.samples_per_second),
+          std::move(body),
+          std::move(scale),
+          std::move(rigid),
+          recording(x, VectorXd::Ones(x.rows()), scene.samples_per_second),
           std::move(modal),
-          body.modes,
-          damping_ratios(body.system, body.modes),
+          std::move(zeta),
           std::move(reduced),
           std::move(stepper)};
+}
+
+CorrectedMotion::CorrectedMotion(const AnalysisContext& context, const RecordedMotions& motions, Index n)
+    : motions_(motions),
+      prepared_(corrected(context, motions.body, n)),
+      samples_(
+          recording(shown(motions.t, 0), VectorXd::Ones(motions.scale.size()), context.scene->samples_per_second)) {}
+
+MatrixXd CorrectedMotion::shown(const VectorXd& t, double shutter) const {
+  const Trajectory answer = prepared_->simulate({.t = t, .strain = false, .shutter = shutter});
+  const VectorXd& scale = motions_.scale;
+  return without_rigid(scale.asDiagonal() * answer.bodies.front().displacement.topRows(scale.size()), motions_.rigid);
 }
 
 }  // namespace mb

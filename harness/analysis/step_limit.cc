@@ -82,6 +82,15 @@ GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme
   return run;
 }
 
+// [-] of ln rho^n: below, theory says that the size stays, and rounding grows to about 1e-7 over the steps.
+constexpr double neutral = 1e-9;
+
+std::string growth_verdict(const GrowthRun& run) {
+  const double theory = std::log(run.theory), observed = std::log(run.observed);
+  const double allowed = std::abs(theory) < neutral ? 1e-6 : 0.01 * std::abs(theory);
+  return std::abs(observed - theory) <= allowed ? "confirmed" : "not confirmed";
+}
+
 SteppedMode highest_mode(const System& system) {
   const auto n = static_cast<int>(system.K.rows());
   SteppedMode mode;

@@ -40,6 +40,9 @@ struct GrowthRun {
   long n_steps;             // over which growth is taken
   double theory, observed;  // [-] rho^n and what the run shows; NaN where it was not finite
 };
+// "confirmed" where ln observed = ln theory within 1 %: a run that neither grows nor decays confirms no growth. Within
+// 1e-6 where theory says that the size stays.
+std::string growth_verdict(const GrowthRun& run);
 // As many steps as growth by a factor 3 takes, in [20, most_steps]. system: its loads and initial state are not used.
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme& scheme, const Integrator& integrator,
                      double dt, long most_steps);

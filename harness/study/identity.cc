@@ -21,9 +21,9 @@ std::string run_hash(const Scene& scene, const Contender& c) {
                                   sources::reference, sources::contenders, sources::libraries));
 }
 
-// What an analysis looks at besides the scene: the study's mode counts and steppings.
+// What an analysis looks at besides the scene: the study's methods, mode counts, steppings and load tolerance.
 std::string analysis_hash(const Scene& scene, const std::string& analysis) {
-  std::string study;
+  std::string study = fmt::format("{} {:a}\n", fmt::join(scene.study.methods, ","), scene.study.load_tolerance);
   for (const int r : scene.study.modes) study += fmt::format("{} ", r);
   for (const Stepping& s : scene.study.steppings) {
     study += fmt::format("\n{} {} {}", s.integrator, fmt::join(s.methods, ","), fmt::join(s.modes, ","));

@@ -83,10 +83,12 @@ class TruthRuns {
 
 }  // namespace
 
+Modes modes_of_a_mesh(const System& system, const Body& body, int n_elastic) {
+  return lowest_modes(system, n_elastic, physical_shift(body));
+}
+
 Model make_model(const std::shared_ptr<const Scene>& scene, const Resolution& resolution) {
-  return build_model(scene, &resolution, [](const System& system, int n_elastic) {
-    return lowest_modes(system, n_elastic, default_shift(system));
-  });
+  return build_model(scene, &resolution, modes_of_a_mesh);
 }
 
 const Trajectory& TruthSet::of(TruthKind kind) const {
@@ -94,8 +96,9 @@ const Trajectory& TruthSet::of(TruthKind kind) const {
   return kind == TruthKind::finer ? finer : kind == TruthKind::same_mesh ? same_mesh : *exact;
 }
 
-TruthSet truths(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
-                const Progress& progress) {
+std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue,
+                               const Store& store, const Progress& progress, const std::function<bool()>& interrupted) {
+  if (interrupted()) return {};
   TruthSet set;
   TruthRuns runs(scene, catalogue, store, progress);
   const TruthSettings& t = scene->truth;
@@ -105,9 +108,12 @@ TruthSet truths(const std::shared_ptr<const Scene>& scene, const Catalogue& cata
     use_one_thread();
     runs.run({t.finer, t.relative_tolerance, &set.finer});
   });
-  runs.run({t.coarser, t.relative_tolerance, &set.coarser});
-  runs.run({mesh, t.relative_tolerance / 100, &set.same_mesh});
-  runs.run({mesh, t.relative_tolerance, &set.loose});
+  for (const Job& job :
+       {Job{t.coarser, t.relative_tolerance, &set.coarser}, Job{mesh, t.relative_tolerance / 100, &set.same_mesh},
+        Job{mesh, t.relative_tolerance, &set.loose}}) {
+    if (interrupted()) return lane.get(), std::nullopt;
+    runs.run(job);
+  }
   lane.get();
   if (!t.exact.empty()) {
     const ExactSolution& solution = exact_solution(t.exact);

@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 
+#include "cases/contract/modes.h"
 #include "cases/contract/record.h"
 #include "harness/catalogue.h"
 #include "harness/metrics/metric.h"
@@ -30,13 +31,17 @@ struct TruthSet {
 
 using Progress = std::function<void(const std::string& line)>;
 
+// What full-order models find their modes with where a scene states damping ratios: a ModeSolver.
+Modes modes_of_a_mesh(const System& system, const Body& body, int n_elastic);
+
 // Full-order models as the suite makes them: where a scene states damping ratios, with the modes of the mesh itself.
 Model make_model(const std::shared_ptr<const Scene>& scene, const Resolution& resolution);
 
 // Reads each from the store or computes it, two at a time. Throws std::runtime_error where an integration fails;
-// damaged files of the store are reported through progress and computed again.
-TruthSet truths(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
-                const Progress& progress);
+// damaged files of the store are reported through progress and computed again. interrupted is asked before each is
+// begun, from the thread that calls: nothing is returned where it said so, those that were done stand in the store.
+std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue,
+                               const Store& store, const Progress& progress, const std::function<bool()>& interrupted);
 
 double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, const MetricContext& context);
 

@@ -78,7 +78,7 @@ double value(const History& history, double t);
 // so that one evaluator serves one thread.
 std::function<double(double)> evaluator(const History& history);
 
-// Times in (0, duration) where s, s' or s'' may jump, ascending: integrators must stop there. None of an expression.
+// Times in (0, duration) where s, s' or s'' may jump, ascending: adaptive steps end there. None of an expression.
 std::vector<double> breakpoints(const History& history, double duration);
 
 // tolerance [-]: largest error of resampling relative to max |s|; only chirp and expression use it.

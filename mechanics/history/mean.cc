@@ -29,9 +29,4 @@ double mean(const Segments& chain, double a, double b) {
   return sum / (b - a);
 }
 
-double mean(const History& history, double a, double b, double tolerance) {
-  if (b <= 0) return mean(Segments{}, a, b);
-  return mean(segments(history, b, tolerance), a, b);
-}
-
 }  // namespace mb

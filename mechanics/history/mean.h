@@ -12,7 +12,4 @@ namespace mb {
 // a < b [s]. chain tiles [0, duration], b at most the duration but for rounding; else std::invalid_argument.
 double mean(const Segments& chain, double a, double b);
 
-// tolerance [-] > 0: as segments(); the chain is made anew at every call.
-double mean(const History& history, double a, double b, double tolerance = 1e-6);
-
 }  // namespace mb

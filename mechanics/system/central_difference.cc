@@ -31,7 +31,7 @@ class CentralDifference final : public Stepper {
         force_(system),
         lumped_(system.lumped_mass.rows() > 0 ? lumped_part(force_, system.damping.alpha) : System()),
         A_(system.lumped_mass.rows() > 0 ? lumped_ : system, h / 2, 0),
-        first_(first_velocity()) {}
+        first_(system.v0 + h / 2 * first_acceleration()) {}
 
   States run(const VectorXd& times) const override {
     VectorXd w = first_, a(w.size());
@@ -42,21 +42,24 @@ class CentralDifference final : public Stepper {
       to.v.noalias() = w + (h_ / 2) * a;
       w.noalias() += h_ * a;
     });
-    out.work.factorisations = A_.is_diagonal() ? 0 : 1;
-    out.work.solves = out.work.factorisations * out.work.steps;
+    out.work.factorisations = n_factors_;
+    if (!A_.is_diagonal()) out.work.solves = out.work.steps + 1;
     return out;
   }
 
  private:
-  // (u_1 - u_0)/h where (u_1 - u_-1)/(2h) = v0 and M a + C v0 + K u0 = F s.
-  VectorXd first_velocity() const {
+  // a of (u_1 - u_0)/h = v0 + h/2 a, where (u_1 - u_-1)/(2h) = v0 and M a + C v0 + K u0 = F s.
+  VectorXd first_acceleration() {
     VectorXd a(system_.u0.size());
     force_(0, system_.u0, system_.v0, a);
-    if (is_damped(system_) && !a.isZero(0))
-      a = SpdFactor(force_.M()).solve(a);
-    else
-      A_.solve(a, a);
-    return system_.v0 + (h_ / 2) * a;
+    n_factors_ = A_.is_diagonal() ? 0 : 1;
+    if (is_damped(system_) && !a.isZero(0)) {
+      const SpdFactor mass(force_.M());
+      n_factors_ += mass.is_diagonal() ? 0 : 1;
+      return mass.solve(a);
+    }
+    A_.solve(a, a);
+    return a;
   }
 
   const System& system_;
@@ -64,7 +67,8 @@ class CentralDifference final : public Stepper {
   UnbalancedForce force_;
   System lumped_;
   Shifted A_;
-  VectorXd first_;
+  long n_factors_ = 0;
+  VectorXd first_;  // [m/s]
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Central differences, the rival that needs no factor of K: second order, stable up to h = 2/omega_max.
+// Central differences, the rival that needs no factor of K: stable up to h = 2/omega_max, second order; first
+// order where damping lags, see below.
 //
 //   M (u+ - 2 u + u-)/h^2 + C (u+ - u-)/(2 h) + K u = F s        (damping implicit)
 //

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <variant>
 #include <vector>
 
 #include "mechanics/system/low_rank_damping.h"
@@ -14,6 +15,7 @@
 namespace mb {
 namespace {
 
+using Eigen::MatrixXcd;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 constexpr Complex i(0, 1);
@@ -33,14 +35,14 @@ class Diagonal {
       : damping_(system.damping), K_(system.K.diagonal()), M_(system.M.diagonal()), low_rank_(std::move(low_rank)) {
     if (low_rank_.size() == 0) low_rank_ = VectorXd::Zero(K_.size());
   }
-  VectorXcd solve(double omega, const VectorXcd& b) {
+  MatrixXcd solve(double omega, const MatrixXcd& b) {
     constexpr double singular = 1e-14;  // of the larger term: their difference keeps fewer than two digits
     const auto [c_K, c_M] = coefficients(damping_, omega);
     const VectorXcd Z = c_K * K_ + c_M * M_ + i * omega * low_rank_;
     for (Index j = 0; j < Z.size(); ++j)
       if (!(std::abs(Z[j]) > singular * std::max(K_[j], omega * omega * M_[j])))
         throw std::runtime_error(fmt::format("undamped resonance of unknown {}", j));
-    return b.cwiseQuotient(Z);
+    return Z.cwiseInverse().asDiagonal() * b;
   }
 
  private:
@@ -78,16 +80,20 @@ class Bordered {
     Z_ = all.cast<Complex>();
   }
 
-  VectorXcd solve(double omega, const VectorXcd& b) {
+  MatrixXcd solve(double omega, const MatrixXcd& b) {
     const auto [c_K, c_M] = coefficients(damping_, omega);
     Z_.coeffs() = c_K * K_.coeffs() + c_M * M_.coeffs() + std::sqrt(omega) * border_.coeffs() + i * corner_.coeffs();
     if (lu_)
       lu_->refactor(Z_);
     else
       lu_.emplace(Z_);
+    MatrixXcd x(n_, b.cols());
     VectorXcd right = VectorXcd::Zero(n_all_);
-    right.head(n_) = b;
-    return lu_->solve(right).head(n_);
+    for (Index column = 0; column < b.cols(); ++column) {
+      right.head(n_) = b.col(column);
+      x.col(column) = lu_->solve(right).head(n_);
+    }
+    return x;
   }
 
  private:
@@ -108,47 +114,61 @@ class Bordered {
   std::optional<ComplexLu> lu_;
 };
 
-void check(const System& system, Index load, const VectorXd& omega) {
+std::variant<Diagonal, Bordered> dynamic_stiffness(const System& system) {
+  const LowRankDamping low_rank(0, MatrixXd(), system.modal_damping);
+  if (is_diagonal(system.M) && is_diagonal(system.K) && low_rank.rank() == 0)
+    return Diagonal(system, low_rank.diagonal());
+  return Bordered(system, system.modal_damping);
+}
+
+void check(const System& system) {
   require_consistent(system);
-  if (!(load >= 0 && load < system.F.cols()))
-    throw std::invalid_argument(fmt::format("frequency_response: no load {} among {}", load, system.F.cols()));
-  if (!omega.allFinite() || !(omega.array() > 0).all())
-    throw std::invalid_argument("frequency_response: frequencies must be positive");
   const MatrixXd& W = system.modal_damping.W;
   // R^T W = R^T M Phi is 0 for elastic modes, at most 1 for what is M-orthonormal.
   if (system.R.cols() > 0 && W.cols() > 0 && !((system.R.transpose() * W).cwiseAbs().maxCoeff() <= 1e-6))
     throw std::invalid_argument("frequency_response: the damping of modes is to leave rigid motion alone");
 }
 
+}  // namespace
+
+struct FrequencyResponse::Stiffness {
+  std::variant<Diagonal, Bordered> of;
+};
+
+FrequencyResponse::FrequencyResponse(const System& system) : system_(system) {
+  check(system);
+  const MatrixXd shares = system.R.transpose() * system.F;
+  MR_ = system.M * system.R;
+  rigid_ = system.R * shares;
+  elastic_ = (system.F - MR_ * shares).cast<Complex>();
+  stiffness_ = std::make_unique<Stiffness>(Stiffness{dynamic_stiffness(system)});
+}
+FrequencyResponse::~FrequencyResponse() = default;
+FrequencyResponse::FrequencyResponse(FrequencyResponse&&) noexcept = default;
+
 // The rigid part f_R = M R R^T f answers with -R R^T f / omega^2, whatever alpha; the rest is solved for in the
 // M-orthogonal complement, where M - M R R^T M is M. Projected on both sides, for K - omega^2 M is all but singular in
 // R at low frequencies.
-template <class Stiffness>
-Eigen::MatrixXcd responses(const System& system, const VectorXd& f, const VectorXd& omega, Stiffness stiffness) {
-  const MatrixXd MR = system.M * system.R;
-  const VectorXd rigid = system.R * (system.R.transpose() * f);
-  const VectorXcd elastic = (f - MR * (system.R.transpose() * f)).cast<Complex>();
-  Eigen::MatrixXcd u(f.size(), omega.size());
-  for (Index j = 0; j < omega.size(); ++j) {
-    try {
-      u.col(j) = stiffness.solve(omega[j], elastic);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(fmt::format("frequency_response at {:.6g} rad/s: {}", omega[j], error.what()));
-    }
-    u.col(j) -= system.R * (MR.transpose() * u.col(j)) + rigid / (omega[j] * omega[j]);
+MatrixXcd FrequencyResponse::operator()(double omega) {
+  if (!(omega > 0 && std::isfinite(omega)))
+    throw std::invalid_argument("frequency_response: frequencies must be positive");
+  MatrixXcd u;
+  try {
+    u = std::visit([&](auto& stiffness) { return stiffness.solve(omega, elastic_); }, stiffness_->of);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("frequency_response at {:.6g} rad/s: {}", omega, error.what()));
   }
+  u -= system_.R * (MR_.transpose() * u) + rigid_ / (omega * omega);
   return u;
 }
 
-}  // namespace
-
-Eigen::MatrixXcd frequency_response(const System& system, Index load, const VectorXd& omega) {
-  check(system, load, omega);
-  const VectorXd f = system.F.col(load);
-  const LowRankDamping low_rank(0, MatrixXd(), system.modal_damping);
-  if (is_diagonal(system.M) && is_diagonal(system.K) && low_rank.rank() == 0)
-    return responses(system, f, omega, Diagonal(system, low_rank.diagonal()));
-  return responses(system, f, omega, Bordered(system, system.modal_damping));
+MatrixXcd frequency_response(const System& system, Index load, const VectorXd& omega) {
+  if (!(load >= 0 && load < system.F.cols()))
+    throw std::invalid_argument(fmt::format("frequency_response: no load {} among {}", load, system.F.cols()));
+  FrequencyResponse response(system);
+  MatrixXcd u(system.F.rows(), omega.size());
+  for (Index j = 0; j < omega.size(); ++j) u.col(j) = response(omega[j]).col(load);
+  return u;
 }
 
 }  // namespace mb

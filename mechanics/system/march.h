@@ -1,6 +1,8 @@
 // Equal steps t_i = i h from t = 0; what lies between them is read off the cubic Hermite polynomial of both ends:
 //
 //   u(t_i + x h) = (1 + 2x)(1 - x)^2 u_i + x (1 - x)^2 h v_i + x^2 (3 - 2x) u_{i+1} - x^2 (1 - x) h v_{i+1}
+// Steps do not end where a load jumps: unless a multiple of h falls there, the load comes up to h late or early, and
+// every scheme is of first order.
 #pragma once
 
 #include <functional>

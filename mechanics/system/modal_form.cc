@@ -70,10 +70,12 @@ ModalCoefficients coefficients(const VectorXd& lambda, const MatrixXd& G, const 
 // Within frequencies that repeat any M-orthonormal basis will do: takes the one in which the damping is diagonal.
 void rotate_repeated(const VectorXd& lambda, const System& system, MatrixXd& Phi) {
   const auto& [W, d] = system.modal_damping;
-  constexpr double same = 1e-10;  // [-] of lambda: a hundred times what a dense solver leaves between equal ones
+  // Between equal ones a dense solver leaves a few eps lambda_max, and a hundredth of 1e-10 whatever the spectrum.
+  const double rounding = 50 * std::numeric_limits<double>::epsilon() * lambda.maxCoeff();
+  const auto differ = [&](double a, double b) { return b - a > std::max(1e-10 * a, rounding); };
   for (Index first = 0, count = 0; first < lambda.size(); first += count) {
     for (count = 1; first + count < lambda.size(); ++count)
-      if (lambda[first] == 0 || lambda[first + count] - lambda[first] > same * lambda[first]) break;
+      if (lambda[first] == 0 || differ(lambda[first], lambda[first + count])) break;
     if (count == 1) continue;
     auto repeated = Phi.middleCols(first, count);
     const MatrixXd G = repeated.transpose() * W;

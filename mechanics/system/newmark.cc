@@ -67,8 +67,11 @@ States Newmark::run(const VectorXd& times) const {
     to.v.noalias() = (2 / h_) * (to.u - from.u) - from.v;
     a = (4 / (h_ * h_)) * (to.u - from.u) - (4 / h_) * from.v - a;
   });
-  out.work.factorisations = A_.is_diagonal() ? 0 : 1;
-  out.work.solves = out.work.factorisations * out.work.steps;
+  const bool starts_loaded = !a0_.isZero(0);
+  if (!A_.is_diagonal()) {
+    out.work.factorisations = starts_loaded ? 2 : 1;
+    out.work.solves = out.work.steps + (starts_loaded ? 1 : 0);
+  }
   return out;
 }
 

@@ -3,7 +3,7 @@
 //   (4/h^2 M + 2/h C + K) u+ = F s+ + M (4/h^2 u + 4/h v + a) + C (2/h u + v)
 //   v+ = 2/h (u+ - u) - v,   a+ = 4/h^2 (u+ - u) - 4/h v - a
 //
-// One factor for the whole run. Newmark 1959, J. Eng. Mech. Div. ASCE 85(3).
+// One factor for the whole run; one more, of M, where it starts loaded. Newmark 1959, J. Eng. Mech. Div. ASCE 85(3).
 #pragma once
 
 #include <memory>

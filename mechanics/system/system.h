@@ -46,7 +46,8 @@ class LoadFactors {
 double kinetic_energy(const System& system, const VectorXd& v);  // [J]
 double strain_energy(const System& system, const VectorXd& u);   // [J]
 
-// What an integrator did; counts, never seconds.
+// What an integrator did, its preparation included; counts, never seconds. A load evaluation is that of all loads at
+// one time, or of one of their pieces in closed form.
 struct Work {
   long steps = 0, rejected = 0, factorisations = 0, solves = 0, load_evaluations = 0;
 };

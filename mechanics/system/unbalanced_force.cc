@@ -9,8 +9,9 @@ const System& consistent(const System& system) {
   return system;
 }
 
-const SparseMatrix& explicit_mass(const System& system) {
-  return system.lumped_mass.rows() > 0 ? system.lumped_mass : system.M;
+const SparseMatrix& chosen(const System& system, UnbalancedForce::Mass mass) {
+  const bool lumped = mass == UnbalancedForce::Mass::lumped_if_any && system.lumped_mass.rows() > 0;
+  return lumped ? system.lumped_mass : system.M;
 }
 
 MatrixXd orthonormal_in(const SparseMatrix& M, const MatrixXd& R) {
@@ -21,9 +22,9 @@ MatrixXd orthonormal_in(const SparseMatrix& M, const MatrixXd& R) {
 
 }  // namespace
 
-UnbalancedForce::UnbalancedForce(const System& system)
+UnbalancedForce::UnbalancedForce(const System& system, Mass mass)
     : system_(consistent(system)),
-      M_(explicit_mass(system)),
+      M_(chosen(system, mass)),
       R_(&M_ == &system.M ? system.R : orthonormal_in(M_, system.R)),
       K_product_(system.K),
       low_rank_(system.damping.alpha, system.damping.alpha != 0 ? MatrixXd(M_ * R_) : MatrixXd(), system.modal_damping),
@@ -46,6 +47,16 @@ void UnbalancedForce::operator()(double t, const VectorXd& u, const VectorXd& v,
   }
   low_rank_.add_product(1, v, f);
   f = -f;
+  add_load(t, f);
+}
+
+void UnbalancedForce::without_damping(double t, const VectorXd& u, VectorXd& f) const {
+  K_product_(u, f);
+  f = -f;
+  add_load(t, f);
+}
+
+void UnbalancedForce::add_load(double t, VectorXd& f) const {
   const VectorXd& s = factors_(t);
   if (!s.isZero(0)) f.noalias() += system_.F * s;
 }

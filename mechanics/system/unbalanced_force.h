@@ -1,8 +1,8 @@
-// What explicit steps share, the force that accelerates:
+// What integrators share, the force that accelerates:
 //
 //   f = F s(t) - K u - C v,   C = alpha (M - M R R^T M) + beta K + W diag(d) W^T
 //
-// M is the lumped mass where the system has one; R is then made orthonormal in it, so that rigid motion stays undamped.
+// R is made orthonormal in M where that is the lumped mass, so that rigid motion stays undamped.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,18 @@ namespace mb {
 
 class UnbalancedForce {
  public:
-  explicit UnbalancedForce(const System& system);  // which must outlive this; throws as require_consistent
+  enum class Mass { lumped_if_any, consistent };
+  // The system must outlive this; throws as require_consistent.
+  explicit UnbalancedForce(const System& system, Mass mass = Mass::lumped_if_any);
   const SparseMatrix& M() const { return M_; }
   const MatrixXd& R() const { return R_; }
   // f has the size of u; no allocation; one thread at a time.
   void operator()(double t, const VectorXd& u, const VectorXd& v, VectorXd& f) const;
+  void without_damping(double t, const VectorXd& u, VectorXd& f) const;  // F s - K u
 
  private:
+  void add_load(double t, VectorXd& f) const;
+
   const System& system_;
   const SparseMatrix& M_;
   MatrixXd R_;

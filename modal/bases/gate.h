@@ -21,9 +21,6 @@ class GateFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// lambda_{i+1} and lambda_i belong to one multiplet where they differ by at most this part of the larger.
-inline constexpr double multiplet_gap = 1e-6;
-
 // Modes::residual of every column of Phi. omega: n_rigid zeros, then the elastic ones; without any there is no scale
 // for the rigid ones, and theirs is NaN.
 VectorXd residuals(const System& system, const MatrixXd& Phi, const VectorXd& omega, Index n_rigid);

@@ -14,15 +14,30 @@ namespace mb {
 
 namespace {
 
+// Within a multiplet any basis will do, and which one a solver finds is chance: ratios that differ there say nothing.
+void require_one_ratio_a_multiplet(const Modes& found, const std::vector<double>& ratios) {
+  for (size_t i = 1; i < ratios.size(); ++i) {
+    const double omega = found.omega[found.n_rigid + static_cast<Index>(i)];
+    const double below = found.omega[found.n_rigid + static_cast<Index>(i) - 1];
+    if (ratios[i] == ratios[i - 1] || omega * omega - below * below > multiplet_gap * omega * omega) continue;
+    throw std::invalid_argument(
+        fmt::format("damping ratios {} and {} of the elastic modes {} and {}, which have one frequency ({:.6g} Hz): "
+                    "state one ratio for both",
+                    ratios[i - 1], ratios[i], i, i + 1, omega / (2 * pi)));
+  }
+}
+
 // C phi_i = 2 zeta_i omega_i M phi_i for the modes whose ratios are stated, by what Rayleigh damping leaves to add.
-ModalDamping ratios_as_damping(const System& s, const std::vector<double>& ratios, const ModeSolver& modes) {
+ModalDamping ratios_as_damping(const System& s, const Body& body, const ModeSolver& modes) {
+  const std::vector<double>& ratios = body.damping_ratios;
   if (!modes) throw std::invalid_argument("damping ratios of single modes: full order needs a solver for its modes");
   if (!std::all_of(ratios.begin(), ratios.end(), [](double zeta) { return zeta >= 0 && zeta <= 10; }))
     throw std::invalid_argument("damping ratios must lie in [0, 10]");
   const Index n_ratios = static_cast<Index>(ratios.size());
-  const Modes found = modes(s, static_cast<int>(n_ratios));
+  const Modes found = modes(s, body, static_cast<int>(n_ratios));
   const Index n = found.size() - found.n_rigid;
   if (n < n_ratios) throw std::invalid_argument(fmt::format("{} damping ratios, but only {} modes", n_ratios, n));
+  require_one_ratio_a_multiplet(found, ratios);
   ModalDamping damping{s.M * found.Phi.rightCols(n), VectorXd(n)};
   for (Index i = 0; i < n; ++i) {
     const double omega = found.omega[found.n_rigid + i], zeta = ratios[static_cast<size_t>(std::min(i, n_ratios - 1))];
@@ -47,7 +62,7 @@ class DealiiModel final : public FullModel {
     system_.u0 = system_.v0 = VectorXd::Zero(T.cols());
     mesh_volume_ = full.mesh_volume;
     if (!body.damping_ratios.empty())
-      system_.modal_damping = ratios_as_damping(system_, body.damping_ratios, modes);
+      system_.modal_damping = ratios_as_damping(system_, body, modes);
     else
       system_.modal_damping.W = MatrixXd(T.cols(), 0);
   }
