@@ -36,7 +36,7 @@ function(hash_of variable)
 endfunction()
 hash_of(reference mechanics cases/contract cases/scene cases/exact reference harness/study/truth.cc harness/store
         harness/catalogue.cc)
-hash_of(contenders modal harness/metrics harness/study harness/measure.cc)
+hash_of(contenders modal harness/metrics harness/study harness/measure.cc harness/measure.h)
 hash_of(analyses harness/analysis)
 
 execute_process(COMMAND git -C ${ROOT} describe --always --dirty --abbrev=12

@@ -18,7 +18,8 @@ struct Timing {
 double seconds(const std::function<void()>& work);  // one run
 Timing once(const std::function<void()>& work);     // one run, without a spread
 
-// At least `repeats` runs and `total` seconds. No warm-up: run the work once before.
+// At least `repeats` runs and `total` seconds. No warm-up: run the work once before. Taken anew, up to three times,
+// where something else had the core (busy < 0.95); the least perturbed one counts.
 Timing measure(const std::function<void()>& work, int repeats = 5, double total = 0.02);
 
 std::string utc_date();  // "2026-11-20T23:59:59Z", for provenance

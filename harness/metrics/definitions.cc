@@ -51,8 +51,10 @@ std::vector<MeasureDoc> all_docs() {
   all.push_back(
       {"online-time", "s",
        "Stepping under the given load histories and reconstruction of displacements at the frame times, one thread, "
-       "median of at least 5 runs and 0.2 s after a warm-up; the bar is half the distance of the quartiles. A time "
-       "without a bar is that of a single run. Load patterns are known beforehand: projecting them is offline.",
+       "median of at least 5 runs (3 where one takes 0.05 s or more) and 0.02 s after a warm-up; the bar is half the "
+       "distance of the quartiles. Taken anew, up to three times, where the thread had the processor for less than "
+       "95 % of the time. A time without a bar is that of a single run. Load patterns are known beforehand: projecting "
+       "them is offline.",
        "median of wall-clock times of stepping + reconstruction", ours});
   all.push_back({"stepping-time", "s",
                  "The part of online-time that steps; the rest of it is reconstruction at the evaluation points.",

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "cases/scene/read_toml.h"
 #include "harness/store/hash.h"
 #include "sources.h"
@@ -10,8 +12,11 @@
 namespace mb {
 
 std::string truth_hash(const Scene& scene, const Resolution& resolution, double relative_tolerance) {
-  return content_hash(fmt::format("truth\n{}\n{}\n{:a}\n{}\n{}\n", canonical(scene), to_string(resolution),
-                                  relative_tolerance, sources::reference, sources::libraries));
+  const bool has_ratios =
+      std::ranges::any_of(scene.bodies, [](const Body& body) { return !body.damping_ratios.empty(); });
+  const std::string modes = has_ratios ? sources::contenders : "";  // full order then damps the modes we find
+  return content_hash(fmt::format("truth\n{}\n{}\n{:a}\n{}{}\n{}\n", canonical(scene), to_string(resolution),
+                                  relative_tolerance, sources::reference, modes, sources::libraries));
 }
 
 std::string run_hash(const Scene& scene, const Contender& c) {
