@@ -6,18 +6,12 @@ namespace mb {
 
 namespace {
 
-class FullOrder final : public Method {
+class FullOrder final : public LinearMethod {
  public:
   std::string name() const override { return "full-order"; }
   std::string doc() const override { return "every degree of freedom of the mesh (identity basis)"; }
   bool takes_modes() const override { return false; }
-  std::unique_ptr<Prepared> prepare(const Model& model, const Settings& settings,
-                                    const Integrator& integrator) const override {
-    std::vector<LinearBody> bodies;
-    for (const BodyModel& body : model.bodies)
-      bodies.push_back({body.full->system(), {body.displacement, {}}, {body.strain, {}}});
-    return prepare_linear(std::move(bodies), integrator, settings, model.scene->duration, -1);
-  }
+  Reduction reduce(const Model& model, const Settings&) const override { return unreduced(model); }
 };
 
 }  // namespace

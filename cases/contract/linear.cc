@@ -107,6 +107,13 @@ class PreparedLinear final : public Prepared {
 
 }  // namespace
 
+Reduction unreduced(const Model& model) {
+  Reduction reduction{{}, -1};
+  for (const BodyModel& body : model.bodies)
+    reduction.bodies.push_back({body.full->system(), {body.displacement, {}}, {body.strain, {}}});
+  return reduction;
+}
+
 std::unique_ptr<Prepared> prepare_linear(std::shared_ptr<const Reduction> reduction, const Integrator& integrator,
                                          const Settings& settings, double duration) {
   return std::make_unique<PreparedLinear>(std::move(reduction), integrator, settings, duration);

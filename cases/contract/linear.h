@@ -29,6 +29,9 @@ struct Reduction {
   int modes_used;  // elastic modes of the basis, of the body that uses most; -1 for full order
 };
 
+// Every degree of freedom of the mesh: the identity as basis, u = q.
+Reduction unreduced(const Model& model);
+
 // A failed stepper's status is the trajectory's. Sampling::shutter > 0 needs an integrator with exact averages.
 std::unique_ptr<Prepared> prepare_linear(std::shared_ptr<const Reduction> reduction, const Integrator& integrator,
                                          const Settings& settings, double duration);

@@ -21,7 +21,7 @@ struct Settings {
 
 struct Sampling {
   VectorXd t;               // [s] ascending
-  bool strain = true;       // whether strains are wanted at the volume points
+  bool strain = true;       // whether strains are wanted, at EvaluationPoints::strained()
   bool reconstruct = true;  // whether anything is wanted at the points: false steps only, for timing
   double shutter = 0;  // [s] >= 0: answers are exact means over this interval around each time; 0: at the time itself
 };
@@ -36,7 +36,7 @@ struct Decision {
 
 struct BodyTrajectory {
   MatrixXd displacement;  // [m] 3 p x n_t at EvaluationPoints::all()
-  MatrixXd strain;        // [-] 6 p_volume x n_t, or 0 columns where not wanted
+  MatrixXd strain;        // [-] 6 p x n_t at EvaluationPoints::strained(), or 0 columns where not wanted
 };
 struct Trajectory {
   VectorXd t;  // [s]

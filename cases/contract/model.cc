@@ -10,6 +10,20 @@ Matrix3Xd EvaluationPoints::all() const {
   return x;
 }
 
+Index EvaluationPoints::n_strained() const { return volume.points.cols() + probes.cols(); }
+
+Matrix3Xd EvaluationPoints::strained() const {
+  Matrix3Xd x(3, n_strained());
+  x << volume.points, probes;
+  return x;
+}
+
+Index EvaluationPoints::strained(Index p) const {
+  if (p < volume.points.cols()) return p;
+  const Index n_surface = surface.points.cols();
+  return p < volume.points.cols() + n_surface ? -1 : p - n_surface;
+}
+
 EvaluationPoints evaluation_points(const Scene& scene, const Body& body) {
   std::vector<Vector3d> probes;
   for (const Probe& probe : scene.probes)

@@ -12,9 +12,12 @@ namespace mb {
 // Fixed quadrature in the exact shape, the same for every mesh: volume, then surface, then the scene's probes.
 struct EvaluationPoints {
   Quadrature volume, surface;
-  Matrix3Xd probes;       // [m] 3 x number of probes of this body
-  Matrix3Xd all() const;  // 3 x (volume + surface + probes)
+  Matrix3Xd probes;            // [m] 3 x number of probes of this body
+  Matrix3Xd all() const;       // 3 x (volume + surface + probes)
+  Matrix3Xd strained() const;  // 3 x (volume + probes): where strains are compared
   Index size() const;
+  Index n_strained() const;
+  Index strained(Index p) const;  // the place in strained() of point p of all(); -1 for those of the surface
 };
 EvaluationPoints evaluation_points(const Scene& scene, const Body& body);
 
@@ -37,7 +40,7 @@ struct BodyModel {
   std::shared_ptr<const FullModel> full;
   EvaluationPoints points;
   SparseMatrix displacement;  // 3 p x n at points.all()
-  SparseMatrix strain;        // 6 p_volume x n at points.volume
+  SparseMatrix strain;        // 6 p x n at points.strained()
 };
 
 struct Model {

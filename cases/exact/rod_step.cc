@@ -64,13 +64,12 @@ Placed placed(const Scene& scene) {
 Trajectory at(const Scene& scene, const EvaluationPoints& points, const VectorXd& t) {
   const auto [rod, sign, start] = placed(scene);
   const Matrix3Xd all = points.all();
-  const Index n_volume = points.volume.points.cols();
-  BodyTrajectory body{MatrixXd::Zero(3 * all.cols(), t.size()), MatrixXd::Zero(6 * n_volume, t.size())};
+  BodyTrajectory body{MatrixXd::Zero(3 * all.cols(), t.size()), MatrixXd::Zero(6 * points.n_strained(), t.size())};
   for (Index j = 0; j < t.size(); ++j)
     for (Index p = 0; p < all.cols(); ++p) {
       const RodState state = rod_state(rod, rod.length / 2 + sign * all(2, p), t[j] - start);
       body.displacement(3 * p + 2, j) = sign * state.u;
-      if (p < n_volume) body.strain(6 * p + 2, j) = state.strain;
+      if (const Index e = points.strained(p); e >= 0) body.strain(6 * e + 2, j) = state.strain;
     }
   return {t, {body}, {}, Status::ok};
 }

@@ -124,20 +124,20 @@ Trajectory at(const Scene& scene, const EvaluationPoints& points, const VectorXd
   const double a = std::get<Sphere>(body.shape).radius;
   const SpherePulse sphere{a, body.material, pulse.amplitude * scene.loads[0].tractions[0].pressure, pulse.duration};
   const Matrix3Xd all = points.all();
-  const Index n_volume = points.volume.points.cols();
-  const double inmost = n_volume > 0 ? points.volume.points.colwise().norm().minCoeff() : a;
+  const double inmost = points.n_strained() > 0 ? points.strained().colwise().norm().minCoeff() : a;
   const Radii radii = distinct_radii(all, a);
   const RadialField field =
       radial_field(sphere, radii.r, (t.array() - pulse.start).max(0),
                    modes_needed(sphere, std::max(inmost, nearest * a), remainder), Series::mode_acceleration);
-  BodyTrajectory answer{MatrixXd(3 * all.cols(), t.size()), MatrixXd(6 * n_volume, t.size())};
+  BodyTrajectory answer{MatrixXd(3 * all.cols(), t.size()), MatrixXd(6 * points.n_strained(), t.size())};
   for (Index p = 0; p < all.cols(); ++p) {
     const double r = all.col(p).norm();
     const Vector3d n = r > 0 ? Vector3d(all.col(p) / r) : Vector3d::UnitX();  // at the centre both strains agree
     const Index i = radii.of_point[static_cast<std::size_t>(p)];
     for (Index j = 0; j < t.size(); ++j) {
       answer.displacement.block<3, 1>(3 * p, j) = field.u(i, j) * n;
-      if (p < n_volume) answer.strain.block<6, 1>(6 * p, j) = cartesian(field.radial(i, j), field.hoop(i, j), n);
+      if (const Index e = points.strained(p); e >= 0)
+        answer.strain.block<6, 1>(6 * e, j) = cartesian(field.radial(i, j), field.hoop(i, j), n);
     }
   }
   return {t, {answer}, {}, Status::ok};

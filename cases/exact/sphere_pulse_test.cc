@@ -31,9 +31,9 @@ Table table() {
   return result;
 }
 
-// Largest distance from the converged series at r = a and the table's times, in units of p a / mu.
-double truncation(Index n_modes, Series series) {
-  const VectorXd t = table().t, surface = VectorXd::Ones(1);
+// Distance from the converged series at r = a, in units of p a / mu: the largest at every so many of the table's times.
+double truncation(Index n_modes, Series series, Index every = 1) {
+  const VectorXd all = table().t, t = all(Eigen::seq(0, Eigen::last, every)), surface = VectorXd::Ones(1);
   const RadialField field = radial_field(unit_sphere, surface, t, n_modes, series);
   const RadialField converged = radial_field(unit_sphere, surface, t, 20000, Series::mode_acceleration);
   return (field.u - converged.u).cwiseAbs().maxCoeff();
@@ -53,16 +53,20 @@ TEST(SpherePulseVerification, Table) {
   EXPECT_LT(distance(modes_needed(unit_sphere, 0.4, 1e-9)), 1.2e-9);
 }
 
-// Published beside the table: 5.5e-3 for 10 plain modes; 8.7e-6 with mode acceleration, in a norm that is not stated.
-// The largest distance is 1.24e-5 then, below the bound 2 Theta^2 / (3 pi^4 10^3) / 3.5 = 1.93e-5.
+// Stated beside the table: 10 plain modes err by 5.5e-3, with mode acceleration by 8.7e-6. That these are maxima over
+// eighths of the pulse, every fifth of the table's times, is inferred: there both figures are met to their last digit.
+// At all times of the table the largest is 1.24e-5, below the bound 2 Theta^2 / (3 pi^4 10^3) / 3.5 = 1.93e-5.
 TEST(SpherePulseVerification, TruncationOfTheSeries) {
-  EXPECT_NEAR(truncation(10, Series::plain), 5.5e-3, 0.05e-3);
-  const double accelerated = truncation(10, Series::mode_acceleration);
-  EXPECT_LT(accelerated, 1.5 * 8.7e-6);
-  EXPECT_GT(accelerated, 8.7e-6 / 1.5);
-  // plain modes err by x^-2, accelerated ones by x^-4 a mode: orders 1 and 3 in their number, at the surface
-  EXPECT_NEAR(std::log2(truncation(40, Series::plain) / truncation(80, Series::plain)), 1, 0.1);
-  EXPECT_NEAR(std::log2(truncation(40, Series::mode_acceleration) / truncation(80, Series::mode_acceleration)), 3, 0.4);
+  EXPECT_NEAR(truncation(10, Series::plain, 5), 5.5e-3, 0.05e-3);
+  EXPECT_NEAR(truncation(10, Series::mode_acceleration, 5), 8.7e-6, 0.05e-6);
+  const double largest = truncation(10, Series::mode_acceleration);
+  EXPECT_NEAR(largest, 1.24e-5, 0.005e-5);
+  EXPECT_LT(largest, 2 / (3 * pi * pi * 1e3) / 3.5);  // Theta = pi
+  // Plain modes err by x^-2, accelerated ones by x^-4 a mode: orders 1 and 3 in their number, at the surface; counted
+  // up to the middle of the gap in which the series is cut, N + 1/2, 80 modes are 0.01 short of that.
+  const auto order = [](Series series) { return std::log2(truncation(80, series) / truncation(160, series)); };
+  EXPECT_NEAR(order(Series::plain), 1, 0.01);
+  EXPECT_NEAR(order(Series::mode_acceleration), 3, 0.03);
 }
 
 TEST(SpherePulseVerification, RadialRoots) {  // sphere_exact_nu0.3.csv: spheroidal, l = 0, omega a/c_t
@@ -191,7 +195,7 @@ TEST(SpherePulseTest, AnswersAtThePointsOfAScene) {
   ASSERT_EQ(answer.bodies.size(), 1u);
   const auto& [u, strain] = answer.bodies[0];
   ASSERT_EQ(u.rows(), 3 * points.size());
-  ASSERT_EQ(strain.rows(), 6 * points.volume.points.cols());
+  ASSERT_EQ(strain.rows(), 6 * points.n_strained());
   EXPECT_TRUE(u.allFinite() && strain.allFinite());
   EXPECT_LT(u.col(0).norm() + strain.col(0).norm(), 1e-20);  // before the pulse
   EXPECT_EQ(u.bottomRows(3).norm(), 0);                      // the probe in the centre

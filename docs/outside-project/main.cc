@@ -21,7 +21,7 @@ class PreparedAtRest final : public mb::Prepared {
     for (const mb::EvaluationPoints& points : points_)
       answer.bodies.push_back(
           {.displacement = mb::MatrixXd::Zero(3 * points.size(), n_t),
-           .strain = mb::MatrixXd::Zero(6 * points.volume.weights.size(), sampling.strain ? n_t : 0)});
+           .strain = mb::MatrixXd::Zero(6 * points.n_strained(), sampling.strain ? n_t : 0)});
     return answer;
   }
 

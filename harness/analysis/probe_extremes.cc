@@ -55,20 +55,24 @@ std::vector<Finding> probe_extremes(const AnalysisContext& context) {
   table.title = "Largest and smallest probe values";
   table.note =
       "By the parabola through the extreme sample and its neighbours. Static: displacement under the loads at the end, "
-      "body's mesh; a free body in balance with its inertia.";
+      "body's mesh; a free body in balance with its inertia. Over it: the extreme on its side.";
   table.columns = {{"probe", ""},     {"truth", ""},          {"largest", "m"}, {"at (largest)", "s"},
                    {"smallest", "m"}, {"at (smallest)", "s"}, {"static", "m"},  {"largest/static", "-"}};
-  const auto add = [&](size_t p, const char* name, const Trajectory& truth, double at_rest) {
-    const VectorXd signal = signal_of(truth, points, static_cast<Index>(p), scene.probes[p].direction);
+  const auto add = [&](const Probe& probe, Index place, const char* name, const Trajectory& truth, double at_rest) {
+    const VectorXd signal = signal_of(truth, points, place, probe.direction);
     const Extreme high = extreme(truth.t, signal, 1), low = extreme(truth.t, signal, -1);
-    table.rows.push_back(
-        {scene.probes[p].name, name, high.value, high.time, low.value, low.time, at_rest, high.value / at_rest});
+    const double same_side = at_rest > 0 ? high.value : low.value;
+    table.rows.push_back({probe.name, name, high.value, high.time, low.value, low.time, at_rest,
+                          at_rest != 0 ? same_side / at_rest : std::numeric_limits<double>::quiet_NaN()});
   };
-  for (size_t p = 0; p < scene.probes.size(); ++p) {
-    const double at_rest = static_value(context, scene.probes[p]);
-    add(p, "finer", context.truth.finer, at_rest);
-    add(p, "same_mesh", context.truth.same_mesh, at_rest);
-    if (context.truth.exact) add(p, "exact", *context.truth.exact, at_rest);
+  Index place = 0;  // among the probes of the first body
+  for (const Probe& probe : scene.probes) {
+    if (probe.body != scene.bodies.front().name) continue;
+    const double at_rest = static_value(context, probe);
+    add(probe, place, "finer", context.truth.finer, at_rest);
+    add(probe, place, "same_mesh", context.truth.same_mesh, at_rest);
+    if (context.truth.exact) add(probe, place, "exact", *context.truth.exact, at_rest);
+    ++place;
   }
   return {table};
 }

@@ -37,10 +37,10 @@ MatrixXd in_mass_norm(const Trajectory& answer, const MetricContext& context) {
 }
 
 MatrixXd in_energy_norm(const Trajectory& answer, const MetricContext& context) {
-  const MatrixXd& strain = answer.bodies[static_cast<size_t>(context.body)].strain;
+  const VectorXd& w = context.points.volume.weights;
+  const MatrixXd strain = answer.bodies[static_cast<size_t>(context.body)].strain.topRows(6 * w.size());
   const Material& material = context.scene.bodies[static_cast<size_t>(context.body)].material;
   const Matrix6d root = elasticity_matrix(material).llt().matrixU();  // eps^T D eps = |U eps|^2
-  const VectorXd& w = context.points.volume.weights;
   const VectorXd tau = trapezoid_weights(answer.t);
   MatrixXd scaled(strain.rows(), strain.cols());
   for (Index k = 0; k < strain.cols(); ++k) {

@@ -41,9 +41,11 @@ double squared_energy_norm(const MatrixXd& strain, const Matrix6d& D, const Vect
 }
 
 double strain_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
-  const MatrixXd& eps = answer.bodies[static_cast<std::size_t>(context.body)].strain;
-  const MatrixXd& eps_true = truth.bodies[static_cast<std::size_t>(context.body)].strain;
-  if (eps.cols() == 0 || eps_true.cols() == 0) return nan;
+  const MatrixXd& all = answer.bodies[static_cast<std::size_t>(context.body)].strain;
+  const MatrixXd& all_true = truth.bodies[static_cast<std::size_t>(context.body)].strain;
+  if (all.cols() == 0 || all_true.cols() == 0) return nan;
+  const Index n = 6 * context.points.volume.weights.size();
+  const auto eps = all.topRows(n), eps_true = all_true.topRows(n);
   const Matrix6d D = elasticity_matrix(body(context).material);
   const VectorXd tau = trapezoid_weights(truth.t);
   const VectorXd& w = context.points.volume.weights;
@@ -72,12 +74,18 @@ double pose_rotation(const Trajectory& answer, const Trajectory& truth, const Me
   return largest;
 }
 
-// u(point) . direction [m] over time, rigid motion included.
-VectorXd probe_signal(const Trajectory& trajectory, const MetricContext& context) {
+// The place of the probe among those of its body.
+Index place_of_probe(const MetricContext& context) {
   const auto& probes = context.scene.probes;
   const auto probe = probes.begin() + context.probe;
-  const Index before = std::count_if(probes.begin(), probe, [&](const Probe& p) { return p.body == probe->body; });
-  const Index point = context.points.volume.points.cols() + context.points.surface.points.cols() + before;
+  return std::count_if(probes.begin(), probe, [&](const Probe& p) { return p.body == probe->body; });
+}
+
+// u(point) . direction [m] over time, rigid motion included.
+VectorXd probe_signal(const Trajectory& trajectory, const MetricContext& context) {
+  const auto probe = context.scene.probes.begin() + context.probe;
+  const Index point =
+      context.points.volume.points.cols() + context.points.surface.points.cols() + place_of_probe(context);
   const MatrixXd& u = trajectory.bodies[static_cast<std::size_t>(context.body)].displacement;
   return u.middleRows(3 * point, 3).transpose() * probe->direction;
 }
@@ -97,6 +105,23 @@ double probe_phase(const Trajectory& answer, const Trajectory& truth, const Metr
 }
 double probe_combined(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
   return probe_marks(answer, truth, context).combined;
+}
+
+// [Pa] von Mises' equivalent stress at a probe over time, sqrt(3/2 s:s) of the deviator s.
+VectorXd von_mises_signal(const Trajectory& trajectory, const MetricContext& context) {
+  const MatrixXd& strain = trajectory.bodies[static_cast<std::size_t>(context.body)].strain;
+  const Index place = context.points.volume.points.cols() + place_of_probe(context);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> s =
+      elasticity_matrix(body(context).material) * strain.middleRows(6 * place, 6);
+  s.topRows(3).rowwise() -= s.topRows(3).colwise().mean().eval();
+  s.bottomRows(3) *= std::sqrt(2.0);  // each shear stress stands twice in s:s
+  return std::sqrt(1.5) * s.colwise().norm().transpose();
+}
+
+double probe_von_mises(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  for (const Trajectory* one : {&answer, &truth})
+    if (one->bodies[static_cast<std::size_t>(context.body)].strain.cols() == 0) return nan;
+  return relative_l2(trapezoid_weights(truth.t), von_mises_signal(answer, context), von_mises_signal(truth, context));
 }
 
 double truth_above_band(const Trajectory&, const Trajectory& truth, const MetricContext& context) {
@@ -136,6 +161,8 @@ std::vector<Metric> catalogue() {
        no, &probe_phase},
       {"probe-combined", "-", "Sprague and Geers' C of a probe's signal: sqrt(M^2 + P^2).", probe, no, no,
        &probe_combined},
+      {"probe-von-mises", "-", "Relative L2 error over time of von Mises' equivalent stress at a probe.", probe, no, no,
+       &probe_von_mises},
       {"truth-above-band", "-",
        "Share of the kinetic energy of the truth's deformation (Hann window) above a twentieth of samples_per_second.",
        no, no, truth_alone, &truth_above_band},

@@ -49,14 +49,14 @@ Trajectory answer(const Setting& s, double a, double spin = 0, const Vector3d& v
   const Eigen::Matrix3d E = Vector3d(-0.3, -0.3, 1).asDiagonal();
   Trajectory result;
   result.t = VectorXd::LinSpaced(n_t, 0, seconds);
-  result.bodies = {{MatrixXd(X.size(), n_t), MatrixXd(6 * n_volume, n_t)}};
+  result.bodies = {{MatrixXd(X.size(), n_t), MatrixXd(6 * s.points.n_strained(), n_t)}};
   for (Index k = 0; k < n_t; ++k) {
     const double t = result.t(k), stretch = a * std::sin(2 * pi * frequency * t);
     const Eigen::Matrix3d R = Eigen::AngleAxisd(spin * t, Vector3d(1, 2, 2).normalized()).toRotationMatrix();
     const Matrix3Xd x = (R * (X + stretch * E * X)).colwise() + velocity * t;
     result.bodies[0].displacement.col(k) = (x - X).reshaped();
     const Eigen::Vector<double, 6> eps{-0.3 * stretch, -0.3 * stretch, stretch, 0, 0, 0};
-    result.bodies[0].strain.col(k) = eps.replicate(n_volume, 1);
+    result.bodies[0].strain.col(k) = eps.replicate(s.points.n_strained(), 1);
   }
   return result;
 }
@@ -156,6 +156,20 @@ TEST(Metrics, ProbesSeeTheirOwnPointAndDirection) {
   EXPECT_EQ(value("probe-error", a, truth, s.context(true, 1)), 0);
   a.bodies[0].displacement.bottomRows(1) *= 2;
   EXPECT_NEAR(value("probe-error", a, truth, s.context(true, 1)), 1, 1e-14);
+}
+
+// Uniaxial stress E e and pure shear sqrt(3) G gamma are the same to von Mises: gamma = E e/(sqrt(3) G).
+TEST(Metrics, VonMisesStressIsThatOfTheProbe) {
+  const Setting s = setting();
+  const Trajectory truth = answer(s, 0.01);
+  EXPECT_NEAR(value("probe-von-mises", answer(s, 0.011), truth, s.context(true, 1)), 0.1, 1e-12);
+  Trajectory sheared = answer(s, 0.02);  // but for the probe
+  auto at_probe = sheared.bodies[0].strain.bottomRows(6);
+  at_probe.setZero();
+  at_probe.row(4) = 2 * 1.3 / std::sqrt(3.0) * truth.bodies[0].strain.bottomRows(6).row(2);
+  EXPECT_NEAR(value("probe-von-mises", sheared, truth, s.context(true, 1)), 0, 1e-12);
+  sheared.bodies[0].strain.resize(0, 0);
+  EXPECT_TRUE(std::isnan(value("probe-von-mises", sheared, truth, s.context(true, 1))));
 }
 
 TEST(Metrics, ShareAboveTheBandIsOfTheTruth) {

@@ -63,7 +63,8 @@ struct States {
   Index n_valid = 0;
 };
 
-// A time integrator prepared for one system (factors made). Const runs: repeatable, no state kept between them.
+// A time integrator prepared for one system (factors made). Runs repeat to the last digit, one thread at a time: they
+// share scratch space.
 class Stepper {
  public:
   virtual ~Stepper() = default;

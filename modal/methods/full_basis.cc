@@ -9,12 +9,7 @@ class FullBasis : public LinearMethod {
   std::string name() const override { return "full"; }
   std::string doc() const override { return "every degree of freedom of the mesh: the identity as basis, u = q"; }
   bool takes_modes() const override { return false; }
-  Reduction reduce(const Model& model, const Settings&) const override {
-    Reduction reduction{{}, -1};
-    for (const BodyModel& body : model.bodies)
-      reduction.bodies.push_back({body.full->system(), {body.displacement, {}}, {body.strain, {}}});
-    return reduction;
-  }
+  Reduction reduce(const Model& model, const Settings&) const override { return unreduced(model); }
 };
 
 }  // namespace

@@ -112,7 +112,7 @@ Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resoluti
   for (const Body& body : scene->bodies) {
     const auto full = full_model(*scene, body, resolution ? *resolution : body.resolution, modes);
     const EvaluationPoints points = evaluation_points(*scene, body);
-    model.bodies.push_back({full, points, full->displacement_at(points.all()), full->strain_at(points.volume.points)});
+    model.bodies.push_back({full, points, full->displacement_at(points.all()), full->strain_at(points.strained())});
   }
   return model;
 }

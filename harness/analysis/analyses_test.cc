@@ -1,0 +1,202 @@
+// Every analysis through the program, on a clamped orthotropic board of which three modes have damping ratios of their
+// own: what must hold between the numbers of its tables, whatever they are.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "harness/program_test.h"
+#include "harness/store/scratch_folder_test.h"
+#include "harness/store/store.h"
+
+namespace mb {
+namespace {
+
+constexpr const char* board = R"(schema = 1
+name = "board"
+title = "t"
+purpose = "p"
+source = "s"
+[time]
+duration = 0.2
+frame_rate = 60
+samples_per_second = 3840
+[[body]]
+name = "board"
+[body.shape]
+kind = "box"
+size = [0.02, 0.05, 0.3]
+[body.material]
+density = 400
+[body.material.orthotropy]
+youngs_moduli = [0.8e6, 0.5e6, 11e6]
+poissons_ratios = [0.02, 0.02, 0.3]
+shear_moduli = [0.05e6, 0.7e6, 0.7e6]
+[body.damping]
+alpha = 0.5
+beta = 1e-5
+ratios = [0.02, 0.01, 0.03]
+[[body.support]]
+kind = "fixed"
+face = "z-min"
+[body.resolution]
+degree = 2
+cells = [1, 1, 6]
+[[load]]
+name = "push"
+history = { kind = "step" }
+[[load.traction]]
+body = "board"
+face = "x-max"
+pressure = 10
+[[probe]]
+name = "tip"
+body = "board"
+point = [0, 0, 0.15]
+direction = [1, 0, 0]
+[truth]
+relative_tolerance = 1e-5
+finer = { degree = 2, cells = [1, 2, 12] }
+coarser = { degree = 2, cells = [1, 1, 8] }
+[study]
+methods = ["eigenmodes", "static-correction"]
+modes = [4, 16, 48]
+analyses = ["budget", "step-limits", "aliasing", "frequency-response", "damping", "mode-amplitudes", "probe-extremes"]
+[[study.stepping]]
+integrator = "newmark"
+methods = ["eigenmodes"]
+modes = [16]
+time_steps = [1e-3]
+)";
+
+struct Row {
+  const Finding* table;
+  const std::vector<FindingCell>* cells;
+  const FindingCell& operator[](const std::string& column) const {
+    for (size_t i = 0; i < table->columns.size(); ++i)
+      if (table->columns[i].name == column) return cells->at(i);
+    throw std::out_of_range("no column '" + column + "' in " + table->name);
+  }
+  double number(const std::string& column) const { return std::get<double>((*this)[column]); }
+  std::string text(const std::string& column) const { return std::get<std::string>((*this)[column]); }
+};
+
+class AnalysesCases : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    const ScratchFolder scratch;
+    written(scratch / "board.toml", board);
+    const Said said = modalbench(scratch.path(), {"run", "board.toml", "--untimed"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    findings() = Store(scratch / "results").read_all_findings().findings;
+  }
+  static std::vector<Finding>& findings() {
+    static std::vector<Finding> all;
+    return all;
+  }
+  static std::vector<Row> rows(const std::string& name) {
+    std::vector<Row> all;
+    for (const Finding& finding : findings())
+      if (finding.name == name)
+        for (const auto& cells : finding.rows) all.push_back({&finding, &cells});
+    if (all.empty()) ADD_FAILURE() << "no rows in a table " << name;
+    return all;
+  }
+};
+
+TEST_F(AnalysesCases, PartsOfTheBudgetAddUpAsVectors) {
+  for (const char* norm : {"M norm", "K norm"}) {
+    double squares = 0, total = 0;
+    for (const Row& row : rows("budget")) {
+      const double part = row.number(norm);
+      if (row.text("part") == "total")
+        total = part;
+      else if (!std::isnan(part))
+        squares += part * part;
+    }
+    for (const Row& row : rows("budget-cross-terms")) squares += row.number(norm);
+    EXPECT_GT(total, 0);
+    EXPECT_NEAR(squares, total * total, 1e-9 * total * total) << norm;
+  }
+}
+
+TEST_F(AnalysesCases, StepLimitsAreThoseOfTheory) {
+  for (const Row& row : rows("step-limits"))
+    if (row.number("dt formula") > 0) {
+      EXPECT_NEAR(row.number("measured / formula"), 1, 1e-6) << row.text("scheme");
+    }
+  for (const Row& row : rows("step-limit-runs"))
+    EXPECT_EQ(row.text("verdict"), "confirmed") << row.text("system") << row.text("scheme");
+}
+
+TEST_F(AnalysesCases, EveryModeIsDampedAsTheSceneAsks) {
+  const std::vector<double> ratios{0.02, 0.01, 0.03};
+  for (const Row& row : rows("damping")) {
+    const auto i = static_cast<size_t>(row.number("mode")) - 1;
+    const double omega = 2 * pi * row.number("frequency");
+    const double asked = i < ratios.size() ? ratios[i] : 0.5 / (2 * omega) + 1e-5 * omega / 2;
+    for (const char* column : {"zeta asked", "zeta full", "zeta reduced", "zeta by decay"})
+      if (const double zeta = row.number(column); !std::isnan(zeta)) {
+        EXPECT_NEAR(zeta, asked, 1e-7 * asked) << column << " " << i;
+      }
+    EXPECT_LT(row.number("coupling"), 1e-8);
+  }
+}
+
+TEST_F(AnalysesCases, FrequencyResponsesConvergeAndPeakAtTheFirstMode) {
+  double previous = 1;
+  for (const Row& row : rows("frequency-response-error")) {
+    EXPECT_LT(row.number("error"), previous * 1.0001);  // r ascends, each without and with correction
+    if (row.text("contender") == "static-correction") previous = row.number("error");
+  }
+  EXPECT_LT(previous, 1e-5);
+  const double first = rows("mode-amplitudes").front().number("frequency");
+  for (const Row& row : rows("frequency-response-peaks"))  // displacement peaks at f sqrt(1 - 2 zeta^2), zeta = 0.02
+    EXPECT_NEAR(row.number("frequency"), first * std::sqrt(1 - 2 * 0.02 * 0.02), 1e-4 * first);
+}
+
+TEST_F(AnalysesCases, FramesOfExactMeansAliasLessAndDroopMore) {
+  for (const Row& row : rows("aliasing")) {
+    const std::string what = row.text("contender") + " " + row.text("shutter");
+    if (row.text("shutter") == "point") {
+      EXPECT_EQ(row.number("droop"), 0) << what;
+    } else {
+      EXPECT_GT(row.number("droop"), 0) << what;
+    }
+  }
+  for (const Row& row : rows("aliasing-claim")) {
+    EXPECT_GE(row.number("energy above F/2"), 0);
+    EXPECT_LE(row.number("energy above F/2"), 1);
+    EXPECT_LE(row.number("aliasing cut modal"), row.number("aliasing full order") * 1.01);
+  }
+  // What correction adds is the slow motion of the modes cut.
+  double plain = NAN;
+  for (const Row& row : rows("aliasing")) {
+    if (row.text("contender") == "modal, cut at F/2") plain = row.number("low-band error");
+    if (row.text("contender") == "static-correction, cut at F/2") {
+      EXPECT_LT(row.number("low-band error"), plain) << row.number("frame rate");
+    }
+  }
+}
+
+TEST_F(AnalysesCases, ModesFallAsTheirEnergyForceAndImpulseSay) {
+  for (const Row& row : rows("mode-amplitudes")) {
+    const double omega = row.number("omega"), force = row.number("fixed force");
+    EXPECT_NEAR(row.number("fixed impulse") / row.number("fixed energy"),
+                rows("mode-amplitudes").front().number("fixed impulse") /
+                    rows("mode-amplitudes").front().number("fixed energy"),
+                0.01);  // both 1/omega where damping is light
+    EXPECT_GT(force * omega * omega, 0);
+  }
+  for (const Row& row : rows("mode-amplitude-exponents"))
+    EXPECT_NEAR(row.number("exponent"), row.number("theory"), 0.05) << row.text("held fixed");
+}
+
+TEST_F(AnalysesCases, ASuddenPushOvershootsItsStaticValue) {
+  for (const Row& row : rows("probe-extremes")) {  // a light oscillator: up to twice, on the side of the push
+    EXPECT_GT(row.number("largest/static"), 1.5);
+    EXPECT_LT(row.number("largest/static"), 2.1);
+  }
+}
+
+}  // namespace
+}  // namespace mb
