@@ -79,9 +79,12 @@ TEST(DampingRatios, MustAgreeWithinAMultiplet) {
     return full_model(scene, scene.bodies[0], scene.bodies[0].resolution, dense_modes(0));
   };
   EXPECT_EQ(of_square_bar({0.02, 0.02, 0.1})->system().modal_damping.d.size(), 3);
-  EXPECT_THAT([&] { of_square_bar({0.02, 0.2}); },
-              ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr(
-                  "damping ratios 0.02 and 0.2 of the elastic modes 1 and 2, which have one frequency")));
+  EXPECT_THAT(
+      [&] {
+        of_square_bar({0.02, 0.2});
+      },
+      ::testing::ThrowsMessage<std::invalid_argument>(
+          ::testing::HasSubstr("damping ratios 0.02 and 0.2 of the elastic modes 1 and 2, which have one frequency")));
 }
 
 TEST(BuildModel, HandsTheSolverOn) {

@@ -143,13 +143,6 @@ Response integral(const Roots& r, const Response& x, double t) {
   return {x.S + c * x.P, -r.k * x.P, x.P, x.S, x.R, T};
 }
 
-Response response(const Oscillator& oscillator, double t) { return response(roots(oscillator), t); }
-
-Response response(double omega, double zeta, double t) {
-  const double k = omega * omega;
-  return response(Roots({k, 2 * zeta * omega}, omega, k * ((zeta - 1) * (zeta + 1))), t);
-}
-
 // Away from the roots, X = (e^{i Omega t} - C - i Omega S) / (k - Omega^2 + i c Omega), whose denominator is
 // (i Omega - lambda1)(i Omega - lambda2); both factors times t are to be at least 1, else the numerator cancels.
 HarmonicResponse harmonic_response(const Roots& r, const Response& free, double Omega, double t) {
@@ -163,33 +156,12 @@ HarmonicResponse harmonic_response(const Roots& r, const Response& free, double 
   return {g_re * x_re - g_im * x_im, g_re * x_im + g_im * x_re, g_re * v_re - g_im * v_im, g_re * v_im + g_im * v_re};
 }
 
-HarmonicResponse harmonic_response(const Oscillator& oscillator, double Omega, double t) {
-  const Roots r = roots(oscillator);
-  return harmonic_response(r, response(r, t), Omega, t);
-}
-
 // int X = t^3 exp[z1, z2, i Omega t, 0] = (X - P) / (i Omega), where the last two nodes are not too near.
 HarmonicResponse integral(const Roots& r, const Response& free, const HarmonicResponse& wave, double Omega, double t) {
   if (std::abs(Omega * t) >= 1) return {wave.q_sin / Omega, (free.P - wave.q_cos) / Omega, wave.q_cos, wave.q_sin};
   const auto z = nodes(r, Omega, t);
   const Complex Y = t * t * t * exp_difference(z[0], z[1], z[2], 0);
   return {Y.real(), Y.imag(), wave.q_cos, wave.q_sin};
-}
-
-Phase propagate(const Roots& r, const Phase& state0, double f, const Segment& segment, double tau) {
-  const Response x = response(r, tau);
-  Phase state = {state0.q * x.C + state0.v * x.S, state0.q * x.C_dot + state0.v * x.S_dot};
-  state.q += f * (segment.c0 * x.P + segment.c1 * x.R);
-  state.v += f * (segment.c0 * x.S + segment.c1 * x.P);
-  if (segment.a == 0 && segment.b == 0) return state;
-  const HarmonicResponse y = harmonic_response(r, x, segment.omega, tau);
-  state.q += f * (segment.a * y.q_cos + segment.b * y.q_sin);
-  state.v += f * (segment.a * y.v_cos + segment.b * y.v_sin);
-  return state;
-}
-
-Phase propagate(const Oscillator& oscillator, const Phase& state0, double f, const Segment& segment, double tau) {
-  return propagate(roots(oscillator), state0, f, segment, tau);
 }
 
 }  // namespace mb

@@ -12,8 +12,6 @@
 // away from the critical case; divided differences: exp_difference.h.
 #pragma once
 
-#include "mechanics/history/history.h"
-
 namespace mb {
 
 struct Oscillator {
@@ -28,15 +26,11 @@ struct Response {
   double P;         // from rest, f = 1 (its derivative is S)
   double R;         // from rest, f = t (its derivative is P)
 };
-Response response(const Oscillator& oscillator, double t);
-// As above with omega and zeta given: zeta enters without forming 1 - zeta^2, for zeta within an ulp of 1.
-Response response(double omega, double zeta, double t);
 
 // From rest, f = cos(Omega t) + i sin(Omega t): real and imaginary part of q and q'.
 struct HarmonicResponse {
   double q_cos, q_sin, v_cos, v_sin;
 };
-HarmonicResponse harmonic_response(const Oscillator& oscillator, double Omega, double t);
 
 // An oscillator's roots, found once for many evaluations: -h +- i mu when under-damped, else -slow and -fast.
 struct Roots {
@@ -57,12 +51,5 @@ HarmonicResponse harmonic_response(const Roots& roots, const Response& free, dou
 Response integral(const Roots& roots, const Response& at_t, double t);
 HarmonicResponse integral(const Roots& roots, const Response& free, const HarmonicResponse& at_t, double Omega,
                           double t);
-
-struct Phase {
-  double q, v;  // displacement and velocity of the mode
-};
-// State after time tau [s] inside a segment that starts with state0, under the load f * segment (tau from its start).
-Phase propagate(const Oscillator& oscillator, const Phase& state0, double f, const Segment& segment, double tau);
-Phase propagate(const Roots& roots, const Phase& state0, double f, const Segment& segment, double tau);
 
 }  // namespace mb
