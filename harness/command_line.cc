@@ -3,6 +3,8 @@
 
 #include <fmt/ostream.h>
 
+#include <unistd.h>
+
 #include <csignal>
 #include <iostream>
 
@@ -17,9 +19,22 @@ namespace mb {
 namespace {
 
 volatile std::sig_atomic_t interrupt_requested = 0;  // what a signal handler may touch
+pid_t own_process = 0;
+
+// Processes forked for a run meet the same Ctrl-C: one of them tells.
 void on_interrupt(int) {
   if (interrupt_requested) std::_Exit(130);  // a second Ctrl-C does not wait for the run at hand
   interrupt_requested = 1;
+  static constexpr char text[] = "finishing what is under way; Ctrl-C again ends at once\n";
+  if (getpid() != own_process) return;
+  [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, text, sizeof text - 1);
+}
+
+int run_until_interrupted(const RunCommandOptions& options, const Catalogue& catalogue, const Console& console) {
+  interrupt_requested = 0;
+  own_process = getpid();
+  std::signal(SIGINT, on_interrupt);
+  return run_command(options, catalogue, console);
 }
 
 using Action = std::function<int(const Console&)>;
@@ -87,8 +102,9 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
       ->description("go on with what an interrupted run left: what happens anyway")
       ->excludes(again);
   options->interrupted = [] { return interrupt_requested != 0; };
-  command->callback(
-      [&, options] { action = [&, options](const Console& c) { return run_command(*options, catalogue, c); }; });
+  command->callback([&, options] {
+    action = [&, options](const Console& c) { return run_until_interrupted(*options, catalogue, c); };
+  });
 }
 
 void add_report(CLI::App& app, const Catalogue& catalogue, Action& action) {
@@ -154,6 +170,14 @@ int guarded(const Action& action, const Console& console) try {
   return 3;
 }
 
+// The exit code, once what was printed has arrived: a full disk or a closed pipe must not pass for success.
+int delivered(int code, const Console& console) {
+  console.out.flush();
+  if (console.out.good()) return code;
+  fmt::print(console.err, "modalbench: what was to be printed could not be written\n");
+  return 2;
+}
+
 }  // namespace
 
 int harness_main(int argc, char** argv, const Catalogue& catalogue) {
@@ -170,14 +194,14 @@ int harness_main(int argc, char** argv, const Catalogue& catalogue) {
   add_explain(app, catalogue, action);
   add_doctor(app, action);
   add_clean(app, catalogue, action);
+  const Console console{std::cout, std::cerr};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return delivered(app.exit(error) == 0 ? 0 : 2, console);
   }
-  std::signal(SIGINT, on_interrupt);
   use_one_thread();  // timed parts run on one thread on both sides
-  return guarded(action, {std::cout, std::cerr});
+  return delivered(guarded(action, console), console);
 }
 
 }  // namespace mb

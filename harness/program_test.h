@@ -21,7 +21,8 @@ struct Said {
 };
 
 // Runs the program in `folder`.
-inline Said modalbench(const fs::path& folder, std::vector<std::string> words) {
+inline Said modalbench(const fs::path& folder, std::vector<std::string> words,
+                       const Catalogue& catalogue = default_catalogue()) {
   const fs::path before = fs::current_path();
   fs::current_path(folder);
   words.insert(words.begin(), "modalbench");
@@ -29,7 +30,7 @@ inline Said modalbench(const fs::path& folder, std::vector<std::string> words) {
   for (auto& word : words) argv.push_back(word.data());
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const int code = harness_main(static_cast<int>(argv.size()), argv.data(), default_catalogue());
+  const int code = harness_main(static_cast<int>(argv.size()), argv.data(), catalogue);
   fs::current_path(before);
   return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
 }

@@ -19,6 +19,9 @@ int check_command(const CheckOptions& options, const Catalogue& catalogue, const
     } catch (const CaseErrors& errors) {
       print(errors, console.err);
       n_errors += static_cast<int>(errors.diagnostics().size());
+    } catch (const UnknownCase& unknown) {
+      fmt::print(console.err, "{}\n", unknown.what());
+      ++n_errors;
     }
   if (n_errors > 0) fmt::print(console.err, "{} error{}\n", n_errors, n_errors == 1 ? "" : "s");
   return n_errors == 0 ? 0 : 2;

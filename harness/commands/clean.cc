@@ -43,6 +43,8 @@ std::vector<Scene> known_scenes(const CleanOptions& options, const Catalogue& ca
 std::string reason(const StoredFile& file, std::optional<double> oldest, const std::string& older) {
   if (file.state == State::damaged) return "damaged";
   if (file.state == State::unfinished) return "left behind by a process that was killed";
+  if (file.state == State::outdated && file.shelf == "findings")  // nothing in a table says which study it is of
+    return "tables of a case or build that is no longer so, or of other settings, as `run --set` has them";
   if (file.state == State::outdated) return "of a case, settings or build that is no longer so";
   return oldest && file.age > *oldest ? "older than " + older : "";
 }

@@ -96,6 +96,16 @@ TEST_F(CleanTest, SaysWhatWouldGoAndDeletesNothing) {
   EXPECT_TRUE(holds("records/" + old_hash + ".jsonl"));
 }
 
+TEST_F(CleanTest, TablesOfOtherSettingsGoUnderTheirName) {
+  Finding table;
+  table.run = old_hash;
+  table.analysis = table.name = table.title = table.note = "budget";
+  table.case_name = "small", table.profile = "quick";
+  table.columns = {{"a", ""}};
+  store.write_findings(old_hash, {table});
+  EXPECT_THAT(clean({}).out, testing::ContainsRegex("1 file .* or of other settings, as `run --set` has them"));
+}
+
 TEST_F(CleanTest, WithYesWhatIsNotCurrentGoes) {
   store.rebuild_results();
   EXPECT_EQ(clean({.yes = true}).code, 0);

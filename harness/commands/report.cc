@@ -23,32 +23,51 @@ std::map<std::string, std::filesystem::path> files_given(const ReportOptions& op
   return files;
 }
 
-// Cases of the store, each in the profile that was run.
-std::vector<Scene> scenes_in(const Store& store, const ReportOptions& options, const Catalogue& catalogue,
-                             std::ostream& err) {
+struct Known {
+  std::vector<Scene> scenes;
+  bool all_valid = true;
+};
+
+// Cases of the store, each in the profile that was run. A wrong case file is named and its case left out.
+Known scenes_in(const Store& store, const ReportOptions& options, const Catalogue& catalogue, std::ostream& err) {
   const auto given = files_given(options, catalogue);
   std::set<std::pair<std::string, std::string>> names;
   for (const Record& record : store.read_all_records().records) names.insert({record.case_name, record.profile});
-  std::vector<Scene> scenes;
+  Known known;
   for (const auto& [name, profile] : names) try {
       if (!given.empty() && !given.contains(name)) continue;
       const auto file = given.empty() ? find_case(name) : given.at(name);
-      scenes.push_back(read_toml(file, catalogue.vocabulary(), profile));
+      known.scenes.push_back(read_toml(file, catalogue.vocabulary(), profile));
     } catch (const UnknownCase&) {
       fmt::print(err, "the store holds results of '{}': left out; name its case file to have them reported\n", name);
+    } catch (const CaseErrors& errors) {
+      print(errors, err);
+      fmt::print(err, "results of '{}' in profile {} are left out: its case file is wrong\n", name, profile);
+      known.all_valid = false;
     }
-  return scenes;
+  return known;
+}
+
+void print_left_out(const StoredResults& stored, std::ostream& err) {
+  if (stored.n_other > 0) fmt::print(err, "{} records of other settings or builds left out\n", stored.n_other);
+  if (stored.n_other_tables > 0)
+    fmt::print(err,
+               "{} tables of analyses left out: of other settings, as `run --set` has them, or of other builds; `run` "
+               "without --set makes those of the case as it is\n",
+               stored.n_other_tables);
+  for (const RefusedLine& line : stored.refused)
+    fmt::print(err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
 }
 
 }  // namespace
 
 int report_command(const ReportOptions& options, const Catalogue& catalogue, const Console& console) {
+  if (!std::filesystem::is_directory(options.store)) throw UsageError("no store at '" + options.store + "'");
   const Store store(options.store);
-  ReportInput input{{}, {}, scenes_in(store, options, catalogue, console.err), {}, meanings()};
+  Known known = scenes_in(store, options, catalogue, console.err);
+  ReportInput input{{}, {}, std::move(known.scenes), {}, meanings()};
   StoredResults stored = current_records(store, input.scenes);
-  if (stored.n_other > 0) fmt::print(console.err, "{} records of other settings or builds left out\n", stored.n_other);
-  for (const RefusedLine& line : stored.refused)
-    fmt::print(console.err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
+  print_left_out(stored, console.err);
   input.records = std::move(stored.records);
   input.findings = std::move(stored.findings);
   input.environment = input.records.empty() ? provenance("none") : input.records.front().provenance;
@@ -56,7 +75,7 @@ int report_command(const ReportOptions& options, const Catalogue& catalogue, con
   if (!page_available())
     fmt::print(console.err,
                "report.html is not written: the page was not built (it needs npm when Modalbench is built)\n");
-  return 0;
+  return known.all_valid ? 0 : 2;
 }
 
 }  // namespace mb

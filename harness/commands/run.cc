@@ -2,15 +2,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <memory>
+#include <set>
 
-#include "cases/json/json.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
+#include "harness/commands/plan_table.h"
 #include "harness/study/current_records.h"
 #include "harness/study/overrides.h"
 #include "harness/study/processes.h"
 #include "harness/study/run_case.h"
+#include "harness/study/stored.h"
 #include "reports/content.h"
 
 namespace mb {
@@ -19,11 +23,22 @@ namespace {
 
 using Scenes = std::vector<std::shared_ptr<const Scene>>;
 
+// Each once, however it was named.
+std::vector<std::filesystem::path> files_of(const std::vector<std::string>& names) {
+  std::vector<std::filesystem::path> files;
+  std::set<std::filesystem::path> known;
+  for (const auto& name : names) {
+    const auto file = find_case(name);
+    std::error_code error;
+    const auto path = std::filesystem::weakly_canonical(file, error);
+    if (known.insert(error ? file : path).second) files.push_back(file);
+  }
+  return files;
+}
+
 Scenes scenes_of(const RunCommandOptions& options, const Catalogue& catalogue) {
   const Overrides overrides(options.overrides, catalogue.vocabulary());
-  std::vector<std::filesystem::path> files;
-  for (const auto& name : options.cases) files.push_back(find_case(name));
-  if (options.cases.empty()) files = all_cases();
+  const auto files = options.cases.empty() ? all_cases() : files_of(options.cases);
   std::vector<Diagnostic> problems;  // of all files at once
   Scenes scenes;
   for (const auto& file : files) try {
@@ -40,34 +55,15 @@ Scenes scenes_of(const RunCommandOptions& options, const Catalogue& catalogue) {
   return scenes;
 }
 
-bool is_stored(const Job& job, const Store& store) {
-  return job.kind == Job::Kind::analysis ? store.has_findings(job.hash) : store.has_records(job.hash);
-}
-
-Json plan_json(const Scene& scene, const Job& job, bool stored) {
-  Json json = {{"run", job.hash},          {"case", scene.name},
-               {"profile", scene.profile}, {"kind", job.kind == Job::Kind::marks ? "marks" : "analysis"},
-               {"label", job.label},       {"stored", stored}};
-  if (job.kind == Job::Kind::marks) {
-    json["method"] = job.contender.method;
-    json["integrator"] = job.contender.integrator;
-    json["resolution"] = to_string(job.contender.resolution);
-  }
-  return json;
-}
-
-void print_plan(const Scenes& scenes, const Catalogue& catalogue, const Store& store, const Shard& shard, bool json,
-                std::ostream& out) {
-  Json list = Json::array();
+std::vector<PlannedJob> plan(const Scenes& scenes, const Catalogue& catalogue, const Store& store,
+                             const RunOptions& options) {
+  std::vector<PlannedJob> all;
   for (const auto& scene : scenes)
-    for (const Job& job : part(jobs(*scene, catalogue), shard)) {
-      const bool stored = is_stored(job, store);
-      if (json)
-        list.push_back(plan_json(*scene, job, stored));
-      else
-        fmt::print(out, "{}  {:<8} {} · {}\n", job.hash, stored ? "stored" : "to run", scene->name, job.label);
+    for (const Job& job : part(jobs(*scene, catalogue), options.shard)) {
+      const bool done = !options.again && stored(job, store).is_complete(options.timed);
+      all.push_back({scene->name, scene->profile, job, done});
     }
-  if (json) fmt::print(out, "{}\n", to_line({{"schema", 1}, {"jobs", list}}));
+  return all;
 }
 
 // Prints every check of the scenes with what was measured; returns whether all hold. Where --set chose what ran, a
@@ -118,50 +114,67 @@ Outcome run_all(const Scenes& scenes, const Catalogue& catalogue, const Store& s
   return outcome;
 }
 
-// Marks and tables by several processes; what they fail at is run again by who calls, and counted there. Computes
-// nothing itself before the last of them has ended.
+// Marks and tables by several processes; what they fail at is met again, and counted, by who calls. Computes nothing
+// itself before the last of them has ended.
 void run_in_parallel(const Scenes& scenes, const Catalogue& catalogue, const Store& store, const RunOptions& options,
                      int n, const Console& console) {
+  const auto progress = [&](const std::string& line) { fmt::print(console.err, "{}\n", line), console.err.flush(); };
+  const auto interrupted = [&] { return options.interrupted && options.interrupted(); };
+  RunOptions shared = options;
+  shared.timed = false;
   for (const auto& scene : scenes) {
-    if (options.interrupted && options.interrupted()) return;
-    RunOptions shared = options;
-    shared.timed = false;
-    const auto progress = [&](const std::string& line) { fmt::print(console.err, "{}\n", line), console.err.flush(); };
-    if (all_stored(*scene, catalogue, store)) continue;
+    if (interrupted()) return;
+    const auto left = plan({scene}, catalogue, store, shared);
+    if (std::ranges::all_of(left, &PlannedJob::stored)) continue;
     // Truths first, in a process of their own: threads that libraries start there would not survive a fork.
-    const int code = in_processes(1, [&](int) { return truths(scene, catalogue, store, progress), 0; });
+    const int code =
+        in_processes(1, [&](int) { return truths(scene, catalogue, store, progress, interrupted) ? 0 : 130; });
     if (code != 0) continue;  // the caller meets and names what failed
     in_processes(n, [&](int i) {
-      shared.shard = {i, n};
+      shared.shard = options.shard.part(i, n);
       return run_all({scene}, catalogue, store, shared, console).n_failed > 0 ? 3 : 0;
     });
   }
 }
 
+// A word as a shell takes it back.
+std::string shell_word(const std::string& word) {
+  const auto is_plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("-_./=,:+@%", c) != nullptr; };
+  if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 std::string command_again(const RunCommandOptions& options) {
-  std::string text = "modalbench run";
-  for (const auto& name : options.cases) text += " " + name;
-  if (options.profile != "quick") text += " --profile " + options.profile;
-  if (options.store != "results") text += " --store " + options.store;
-  for (const auto& assignment : options.overrides) text += " --set " + assignment;
-  if (options.shard != "1/1") text += " --shard " + options.shard;
-  if (options.jobs != 1) text += fmt::format(" --jobs {}", options.jobs);
-  return text + (options.untimed ? " --untimed" : "");
+  std::vector<std::string> words{"modalbench", "run"};
+  const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
+  for (const auto& name : options.cases) add({name});
+  if (options.profile != "quick") add({"--profile", options.profile});
+  if (options.store != "results") add({"--store", options.store});
+  for (const auto& assignment : options.overrides) add({"--set", assignment});
+  if (options.shard != "1/1") add({"--shard", options.shard});
+  if (options.jobs != 1) add({"--jobs", std::to_string(options.jobs)});
+  if (options.untimed) add({"--untimed"});
+  if (options.again) add({"--again"});
+  for (std::string& word : words) word = shell_word(word);
+  return fmt::format("{}", fmt::join(words, " "));
 }
 
 }  // namespace
 
 int run_command(const RunCommandOptions& options, const Catalogue& catalogue, const Console& console) {
   const auto shard = parse_shard(options.shard);
-  if (!shard) throw UsageError("--shard " + options.shard + ": must be i/n with 1 <= i <= n, as 2/8");
+  if (!shard) throw UsageError("--shard " + options.shard + ": must be i/n with 1 <= i <= n <= 1000000, as 2/8");
   const Scenes scenes = scenes_of(options, catalogue);
   const Store store(options.store);
+  RunOptions how{options.again, !options.untimed, *shard, options.interrupted};
   if (options.plan) {
-    print_plan(scenes, catalogue, store, *shard, options.json, console.out);
+    const auto planned = plan(scenes, catalogue, store, how);
+    options.json ? print_plan_json(planned, catalogue, console.out) : print_plan_table(planned, console.out);
     return 0;
   }
-  RunOptions how{options.again, !options.untimed, *shard, options.interrupted};
-  if (options.jobs > 1 && shard->whole()) {
+  if (options.jobs > 1) {
     run_in_parallel(scenes, catalogue, store, how, options.jobs, console);
     how.again = false;
   }
@@ -169,7 +182,8 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
   for (const RefusedLine& line : store.rebuild_results())
     fmt::print(console.err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
   if (outcome.interrupted) {
-    fmt::print(console.err, "interrupted; what is finished is kept. To go on:\n  {}\n", command_again(options));
+    const char* const then = options.again ? "To start over, as --again says" : "To go on";
+    fmt::print(console.err, "interrupted; what is finished is kept. {}:\n  {}\n", then, command_again(options));
     return 130;
   }
   if (!shard->whole()) return outcome.n_failed > 0 ? 3 : 0;  // checks are of the whole

@@ -34,6 +34,37 @@ std::vector<std::filesystem::path> files_of_runs(const std::filesystem::path& fo
   return files;
 }
 
+// Marks or times of one run. There may be no times; a run without marks is one whose writing went wrong.
+RecordLines records_of(const std::filesystem::path& path) {
+  RecordLines lines = read_records(path);
+  const bool is_empty = lines.records.empty() && lines.refused.empty();
+  if (is_empty && path.parent_path().filename() == "records") lines.refused.push_back({path, 0, "holds no record"});
+  const auto n_strangers = std::erase_if(lines.records, [&](const Record& r) { return r.run != path.stem(); });
+  lines.refused.insert(lines.refused.begin(), n_strangers, {path, 0, "holds a record of another run"});
+  return lines;
+}
+
+std::vector<Finding> findings_of(const std::filesystem::path& path) {
+  const Json list = parse_json(read_file(path, largest_findings));
+  if (!list.is_array()) throw std::runtime_error("holds no list of findings");
+  std::vector<Finding> findings;
+  for (const Json& entry : list) {
+    findings.push_back(finding_from_json(entry));
+    if (findings.back().run != path.stem()) throw std::runtime_error("holds a finding of another analysis");
+  }
+  return findings;
+}
+
+Store::Findings read_findings(const std::vector<std::filesystem::path>& files) {
+  Store::Findings all;
+  for (const std::filesystem::path& path : files) try {
+      std::ranges::move(findings_of(path), std::back_inserter(all.findings));
+    } catch (const std::exception& error) {
+      all.refused.push_back({path, 0, error.what()});
+    }
+  return all;
+}
+
 }  // namespace
 
 Store::Store(std::filesystem::path directory) : directory_(std::move(directory)) {}
@@ -71,9 +102,9 @@ void Store::write_records(const std::string& hash, const std::vector<Record>& re
   if (!std::ranges::all_of(records, [&](const Record& record) { return record.run == hash; })) {
     throw std::invalid_argument("store: a record of another run");
   }
-  std::error_code none;
-  std::filesystem::remove(file("timings", hash, ".jsonl"), none);
   write_file(file("records", hash, ".jsonl"), lines_of(records));
+  std::error_code none;
+  std::filesystem::remove(file("timings", hash, ".jsonl"), none);  // other marks: the old times are not theirs
 }
 
 bool Store::has_times(const std::string& hash) const {
@@ -87,8 +118,9 @@ void Store::write_times(const std::string& hash, const std::vector<Record>& time
   write_file(file("timings", hash, ".jsonl"), lines_of(times));
 }
 RecordLines Store::read_records_of(const std::string& hash) const {
-  return read_records(file("records", hash, ".jsonl"));
+  return records_of(file("records", hash, ".jsonl"));
 }
+RecordLines Store::read_times_of(const std::string& hash) const { return records_of(file("timings", hash, ".jsonl")); }
 
 bool Store::has_findings(const std::string& hash) const {
   std::error_code error;
@@ -103,36 +135,21 @@ void Store::write_findings(const std::string& hash, const std::vector<Finding>& 
   write_file(file("findings", hash, ".json"), to_line(list) + "\n");
 }
 
+Store::Findings Store::read_findings_of(const std::string& hash) const {
+  return read_findings({file("findings", hash, ".json")});
+}
 Store::Findings Store::read_all_findings() const {
-  Findings all;
-  for (const std::filesystem::path& path : files_of_runs(directory_ / "findings", ".json")) try {
-      const Json list = parse_json(read_file(path, largest_findings));
-      if (!list.is_array()) throw std::runtime_error("holds no list of findings");
-      for (const Json& entry : list) {
-        Finding finding = finding_from_json(entry);
-        if (finding.run != path.stem()) throw std::runtime_error("holds a finding of another analysis");
-        all.findings.push_back(std::move(finding));
-      }
-    } catch (const std::exception& error) {
-      all.refused.push_back({path, 0, error.what()});
-    }
-  return all;
+  return read_findings(files_of_runs(directory_ / "findings", ".json"));
 }
 
 RecordLines Store::read_all_records() const {
-  RecordLines all;
   std::vector<std::filesystem::path> paths = files_of_runs(directory_ / "records", ".jsonl");
   std::ranges::copy(files_of_runs(directory_ / "timings", ".jsonl"), std::back_inserter(paths));
   std::ranges::stable_sort(paths, {}, [](const auto& path) { return path.stem(); });
+  RecordLines all;
   for (const std::filesystem::path& path : paths) {
-    RecordLines lines = read_records(path);
-    for (Record& record : lines.records) {
-      if (record.run == path.stem()) {
-        all.records.push_back(std::move(record));
-      } else {
-        all.refused.push_back({path, 0, "holds a record of another run"});
-      }
-    }
+    RecordLines lines = records_of(path);
+    std::ranges::move(lines.records, std::back_inserter(all.records));
     std::ranges::move(lines.refused, std::back_inserter(all.refused));
   }
   return all;

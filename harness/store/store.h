@@ -5,7 +5,7 @@
 //   STORE/findings/<hash>.json     tables of one analysis       STORE/results.jsonl          all marks, rebuilt
 //
 // Every file appears whole or not at all, one file a run: any number of processes may share a store. A damaged file is
-// named and never used: compute it again and write it over.
+// named and never used: compute it again and write it over (harness/study/stored.h says what of a job is there).
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,8 @@ class Store {
   explicit Store(std::filesystem::path directory);
   const std::filesystem::path& directory() const { return directory_; }
 
-  bool has_trajectory(const std::string& hash) const;  // whether the file is there, not whether it is sound
+  // has_...: whether the file is there, not whether it is sound.
+  bool has_trajectory(const std::string& hash) const;
   Trajectory read_trajectory(const std::string& hash) const;
   void write_trajectory(const std::string& hash, const Trajectory& trajectory) const;
 
@@ -42,18 +43,21 @@ class Store {
   bool has_times(const std::string& hash) const;
   void write_times(const std::string& hash, const std::vector<Record>& times) const;
   RecordLines read_records_of(const std::string& hash) const;  // marks of one run, without its times
+  RecordLines read_times_of(const std::string& hash) const;
 
   // Tables of one analysis of one case; every finding's `run` is the hash.
   bool has_findings(const std::string& hash) const;
   void write_findings(const std::string& hash, const std::vector<Finding>& findings) const;
-  // Of all analyses; a damaged file is named in `refused`.
+  // Of one analysis, or of all; a damaged file is named in `refused`.
   struct Findings {
     std::vector<Finding> findings;
     std::vector<RefusedLine> refused;
   };
+  Findings read_findings_of(const std::string& hash) const;
   Findings read_all_findings() const;
 
-  // Marks and times, sorted by run; damaged lines, and records under another run's name, are in `refused`.
+  // Marks and times, sorted by run; damaged lines, records under another run's name and runs without any are in
+  // `refused`.
   RecordLines read_all_records() const;
 
   // results.jsonl from the files of the runs. Returns the lines that were refused and left out.

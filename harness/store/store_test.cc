@@ -101,6 +101,27 @@ TEST(Store, TimesStandBesideMarksAndGoWithThem) {
   EXPECT_EQ(store.read_all_records().records.size(), 1u);
 }
 
+TEST(Store, MarksThatCannotBeWrittenLeaveTheTimesAlone) {
+  const ScratchFolder folder;
+  const Store store(folder / "results");
+  store.write_times(low, {record(low, 1e-3)});
+  std::filesystem::create_directories(folder / ("results/records/" + low + ".jsonl/in the way"));
+  EXPECT_THROW(store.write_records(low, {record(low, 1)}), StoreError);
+  EXPECT_TRUE(store.has_times(low));
+}
+
+TEST(Store, ARunWithoutRecordsIsNamed) {
+  const ScratchFolder folder;
+  const Store store(folder.path());
+  write_file(folder / "records" / (low + ".jsonl"), "");
+  store.write_times(high, {});  // of a run that gave no answer
+  for (const RecordLines& lines : {store.read_all_records(), store.read_records_of(low)}) {
+    ASSERT_EQ(lines.refused.size(), 1u);
+    EXPECT_EQ(lines.refused[0].reason, "holds no record");
+  }
+  EXPECT_TRUE(store.read_times_of(high).refused.empty());
+}
+
 TEST(Store, FindingsComeBackAndDamagedOnesAreNamed) {
   const ScratchFolder folder;
   const Store store(folder / "results");
@@ -115,6 +136,7 @@ TEST(Store, FindingsComeBackAndDamagedOnesAreNamed) {
   const auto all = store.read_all_findings();
   ASSERT_EQ(all.findings.size(), 1u) << all.refused[0].reason;
   EXPECT_EQ(all.findings[0].rows, finding.rows);
+  EXPECT_EQ(store.read_findings_of(low).findings.size(), 1u);
   std::filesystem::resize_file(folder / "results/findings" / (low + ".json"), 20);
   EXPECT_EQ(store.read_all_findings().findings.size(), 0u);
   EXPECT_EQ(store.read_all_findings().refused.size(), 1u);

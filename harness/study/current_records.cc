@@ -24,7 +24,7 @@ bool belongs(const Finding& finding, const std::vector<Scene>& scenes) {
 
 StoredResults current_records(const Store& store, const std::vector<Scene>& scenes) {
   RecordLines all = store.read_all_records();
-  StoredResults results{{}, {}, 0, std::move(all.refused)};
+  StoredResults results{{}, {}, 0, 0, std::move(all.refused)};
   std::string run;  // marks of one run stand together: its name is made once
   bool current = false;
   for (Record& record : all.records) {
@@ -38,7 +38,10 @@ StoredResults current_records(const Store& store, const std::vector<Scene>& scen
   Store::Findings tables = store.read_all_findings();
   std::ranges::move(tables.refused, std::back_inserter(results.refused));
   for (Finding& finding : tables.findings)
-    if (belongs(finding, scenes)) results.findings.push_back(std::move(finding));
+    if (belongs(finding, scenes))
+      results.findings.push_back(std::move(finding));
+    else
+      ++results.n_other_tables;
   return results;
 }
 

@@ -6,34 +6,30 @@
 //   rival.integrators, rival.degrees, rival.cells,    of all full-order contenders (cells as 1x4);
 //     rival.time_steps, rival.relative_tolerances     rival.integrators=none: no full-order contender
 //   study.analyses                                    "none": no analysis
+//
+// The case's [study] with these values in it goes through the reader of case files: its limits hold here, too.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "cases/scene/read_toml.h"
+#include "harness/study/assignments.h"
 
 namespace mb {
 
 class Overrides {
  public:
-  // assignments as given. Throws UsageError with every problem: unknown keys (with the nearest), words no catalogue
-  // knows, numbers out of range.
+  // assignments as given. Throws CaseErrors with every key that is unknown or given twice.
   Overrides(const std::vector<std::string>& assignments, const Vocabulary& vocabulary);
-  bool empty() const { return values_.empty(); }
-  // Throws UsageError where an integrator is given no step or tolerance.
+  bool empty() const { return assignments_.values.empty(); }
+  // Throws CaseErrors with every value that the reader would refuse in this case, and where an integrator is given no
+  // step or tolerance.
   Scene applied(Scene scene) const;
 
  private:
-  const std::vector<std::string>* find(const std::string& key) const;
-  std::vector<double> numbers(const std::string& key) const;
-  std::vector<int> integers(const std::string& key) const;
-  void apply_modal(Study& study) const;
-  void apply_rivals(Study& study, const Shape& shape) const;
-
-  std::map<std::string, std::vector<std::string>> values_;
-  std::vector<std::string> adaptive_;
+  Assignments assignments_;
+  Vocabulary vocabulary_;
 };
 
 }  // namespace mb

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "harness/commands/usage_error.h"
 #include "harness/program_test.h"
 #include "harness/store/scratch_folder_test.h"
 
@@ -21,8 +20,8 @@ Scene overridden(const std::vector<std::string>& assignments) {
 std::string complaint(const std::vector<std::string>& assignments) {
   try {
     overridden(assignments);
-  } catch (const UsageError& error) {
-    return error.what();
+  } catch (const CaseErrors& errors) {
+    return errors.what();
   }
   return "";
 }
@@ -44,12 +43,60 @@ TEST(OverridesTest, AGridOfIntegratorsAndSteps) {
   EXPECT_THAT(scene.study.steppings[1].relative_tolerances, ElementsAre(1e-4));
 }
 
-TEST(OverridesTest, EveryProblemAtOnceWithTheNearestWord) {
-  const std::string all = complaint(
-      {"modal.mode=4", "modal.methods=eigenmode", "modal.modes=-1", "rival.degrees=9", "rival.cells=1y2", "novalue"});
-  for (const char* part : {"modal.mode", "modal.modes", "eigenmodes", "-1", "9", "1y2", "novalue"})
-    EXPECT_THAT(all, HasSubstr(part));
-  EXPECT_THAT(complaint({"modal.integrators=newmark"}), HasSubstr("newmark"));  // no step is given
+TEST(OverridesTest, UnknownKeysWithTheNearestOne) {
+  const std::string all = complaint({"modal.mode=4", "modal.modes=4", "novalue", "modal.methods", "modal.modes=5"});
+  EXPECT_THAT(all, HasSubstr("--set:1:1: error: unknown key 'modal.mode'"));
+  EXPECT_THAT(all, HasSubstr("did you mean 'modal.modes'?"));
+  EXPECT_THAT(all, HasSubstr("unknown key 'novalue'"));
+  EXPECT_THAT(all, HasSubstr("'modal.methods' has no value"));
+  EXPECT_THAT(all, HasSubstr("--set:5:1: error: 'modal.modes' is set twice"));
+}
+
+TEST(OverridesTest, EveryWrongValueAtOnceWhereItWasTyped) {
+  const std::string all =
+      complaint({"modal.methods=eigenmode", "modal.modes=-1", "rival.degrees=9", "rival.cells=1y2"});
+  EXPECT_THAT(all, HasSubstr("small --set:1:15: error: unknown reduced method 'eigenmode'\n"
+                             "    1 | modal.methods=eigenmode\n"
+                             "      |               ^^^^^^^^^\n"
+                             "  help: did you mean 'eigenmodes'?"));
+  EXPECT_THAT(all, HasSubstr("small --set:2:13: error: entry 1 of 'modes' in [study] is -1, outside [0, 4096]"));
+  EXPECT_THAT(all, HasSubstr("small --set:3:15: error: entry 1 of 'degrees' in [[study.rival]] is 9, outside [1, 4]"));
+  EXPECT_THAT(all, HasSubstr("small --set:4:13: error: entry 1 of 'cells' in [[study.rival]] must be an integer"));
+}
+
+TEST(OverridesTest, TheLimitsOfCaseFilesHold) {
+  const auto refused = [](const std::string& assignment, const std::string& message) {
+    EXPECT_THAT(complaint({assignment}), HasSubstr(message)) << assignment;
+  };
+  refused("rival.cells=256x256x256", "'cells' of a cylinder has 3 entries: must be 2");
+  refused("rival.cells=256x256", "degrees of freedom: at most 2000000");
+  refused("rival.cells=0x0", "entry 2 of 'cells' is 0");
+  refused("modal.modes=4096", "4096 elastic modes: Q2 1x2 of body 'body' has at most 369");
+  refused("modal.modes=8,4", "'modes' must ascend: 4 follows 8");
+  refused("rival.integrators=exact", "unknown stepping integrator 'exact'");
+  refused("rival.integrators=none,newmark", "unknown stepping integrator 'none'");
+  refused("study.analyses=none,budget", "unknown analysis 'none'");
+  refused("study.analyses=budgte", "did you mean 'budget'?");
+  refused("rival.time_steps=1", "outside [1e-7, 0.1] s");
+  refused("rival.time_steps=nan", "is nan, outside");
+  refused("rival.time_steps=1e999", "must be a number");
+  refused("modal.modes=", "must be an integer");
+  refused("modal.integrators=newmark", "missing key 'time_steps' in [[study.stepping]]");  // no step is given
+  refused("modal.time_steps=0.01", "'modal.time_steps' needs modal.integrators");
+  refused("rival.integrators=central-difference", "missing key 'cells' in [[study.rival]]");
+}
+
+// Words that are valid alone, in what is left of the case.
+TEST(OverridesTest, NoneAndTheClosedForm) {
+  EXPECT_TRUE(overridden({"rival.integrators=none"}).study.rivals.empty());
+  EXPECT_TRUE(overridden({"study.analyses=none"}).study.analyses.empty());
+  EXPECT_THAT(overridden({"study.analyses=budget"}).study.analyses, ElementsAre("budget"));
+  EXPECT_TRUE(overridden({"modal.integrators=newmark", "modal.time_steps=0.01"}).study.methods.empty());
+  const Scene both = overridden({"modal.integrators=exact,newmark", "modal.time_steps=0.01", "modal.methods=linear"});
+  EXPECT_THAT(both.study.methods, ElementsAre("linear"));
+  ASSERT_EQ(both.study.steppings.size(), 1u);
+  EXPECT_THAT(both.study.steppings[0].methods, ElementsAre("linear"));
+  EXPECT_TRUE(both.study.steppings[0].modes.empty());
 }
 
 TEST(OverridesCases, TheSceneStaysAndSoDoItsTruths) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 
 #include "harness/study/identity.h"
 
@@ -83,6 +84,8 @@ std::vector<Job> jobs(const Scene& scene, const Catalogue& catalogue) {
     all.push_back({Job::Kind::marks, run_hash(scene, contender), label(contender), contender, ""});
   for (const std::string& analysis : scene.study.analyses)
     all.push_back({Job::Kind::analysis, analysis_hash(scene, analysis), analysis, {}, analysis});
+  std::set<std::string> known;
+  std::erase_if(all, [&](const Job& job) { return !known.insert(job.hash).second; });
   return all;
 }
 
@@ -92,7 +95,7 @@ std::optional<Shard> parse_shard(const std::string& text) {
   const auto [slash, first] = std::from_chars(text.data(), end, shard.i);
   if (first != std::errc() || slash == end || *slash != '/') return {};
   const auto [rest, second] = std::from_chars(slash + 1, end, shard.n);
-  if (second != std::errc() || rest != end || shard.i < 1 || shard.i > shard.n) return {};
+  if (second != std::errc() || rest != end || shard.i < 1 || shard.i > shard.n || shard.n > most_shards) return {};
   return shard;
 }
 

@@ -27,13 +27,16 @@ struct Job {
   Contender contender;  // of marks
   std::string analysis; /* of an analysis: its name */
 };
+// Each once, however often the study lists it.
 std::vector<Job> jobs(const Scene& scene, const Catalogue& catalogue);
 
 // A part of all jobs: every n-th, from the i-th on. Parts are disjoint and together whole.
 struct Shard {
-  int i = 1, n = 1;  // 1 <= i <= n
+  long i = 1, n = 1;  // 1 <= i <= n
   bool whole() const { return n == 1; }
+  Shard part(int k, int m) const { return {i + n * (k - 1), n * m}; }  // its k-th of m parts, k from 1
 };
+inline constexpr long most_shards = 1'000'000;
 std::optional<Shard> parse_shard(const std::string& text);  // "2/8"; nothing where it is no such part
 std::vector<Job> part(const std::vector<Job>& jobs, const Shard& shard);
 

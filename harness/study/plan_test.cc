@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "cases/json/json.h"
 #include "harness/program_test.h"
 #include "harness/store/scratch_folder_test.h"
 
@@ -36,12 +37,32 @@ TEST(PlanTest, PartsAreDisjointAndTogetherWhole) {
   EXPECT_EQ(part(all, {7, 9}).size(), 0u);
 }
 
+TEST(PlanTest, WhatTheStudyListsTwiceIsOneJob) {
+  std::string twice = small_case();
+  const std::string from = "[[study.rival]]", to = "[[check]]";
+  const size_t at = twice.find(from);
+  twice.insert(at, twice.substr(at, twice.find(to) - at));
+  EXPECT_EQ(jobs(scene_of(twice), default_catalogue()).size(), 4u);
+}
+
+TEST(PlanTest, PartsOfAPartAreThePart) {
+  const std::vector<Job> all = jobs(scene_of(small_case()), default_catalogue());
+  std::multiset<std::string> whole, parts;
+  const Shard second{2, 2};
+  for (const Job& job : part(all, second)) whole.insert(job.hash);
+  for (int k = 1; k <= 3; ++k)
+    for (const Job& job : part(all, second.part(k, 3))) parts.insert(job.hash);
+  EXPECT_EQ(whole.size(), 2u);
+  EXPECT_EQ(parts, whole);
+}
+
 TEST(PlanTest, ShardsAreReadStrictly) {
   const auto shard = parse_shard("2/8");
   ASSERT_TRUE(shard);
   EXPECT_EQ(shard->i, 2);
   EXPECT_EQ(shard->n, 8);
-  for (const char* wrong : {"", "2", "2/", "/8", "0/8", "9/8", "-1/8", "2/8x", "2/0", " 2/8", "1e0/2", "99999999999/2"})
+  for (const char* wrong :
+       {"", "2", "2/", "/8", "0/8", "9/8", "-1/8", "2/8x", "2/0", " 2/8", "1e0/2", "99999999999/2", "1/1000001"})
     EXPECT_FALSE(parse_shard(wrong)) << wrong;
 }
 
@@ -74,10 +95,56 @@ TEST(PlanCases, SeveralProcessesFindWhatOneFinds) {
   EXPECT_THAT(plan.out, testing::Not(HasSubstr("to run")));
 }
 
+TEST(PlanCases, SeveralProcessesShareAPart) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", small_case());
+  const std::vector<std::string> line{"run", "case.toml", "--untimed", "--jobs", "2", "--shard", "2/2"};
+  const Said said = modalbench(scratch.path(), line);
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("[1/1]"));  // each of the two has one of the two jobs
+  EXPECT_THAT(said.err, testing::Not(HasSubstr("[1/2]")));
+  EXPECT_THAT(said.err, HasSubstr("0 runs done, 2 found"));
+  auto again = line;
+  again.push_back("--again");
+  EXPECT_THAT(modalbench(scratch.path(), again).err, HasSubstr("[1/1]"));
+}
+
+TEST(PlanCases, ACaseNamedTwiceRunsOnce) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "cases");
+  written(scratch / "cases/small.toml", small_case());
+  const Said said =
+      modalbench(scratch.path(), {"run", "small", "cases/small.toml", "./cases/../cases/small.toml", "--plan"});
+  EXPECT_EQ(std::ranges::count(said.out, '\n'), 4);
+}
+
+TEST(PlanCases, SettingsOfEveryJobInFull) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", small_case());
+  const Said said =
+      modalbench(scratch.path(), {"run", "case.toml", "--plan", "--json", "--set", "rival.time_steps=0.0012345678901"});
+  const Json jobs = parse_json(said.out)["jobs"];
+  ASSERT_EQ(jobs.size(), 3u);
+  for (const Json& job : jobs) {
+    const bool full = job["method"] == "full-order";
+    EXPECT_EQ(job["integrator"], full ? "newmark" : "exact");
+    EXPECT_EQ(job["resolution"], full ? "Q1 1x2" : "Q2 1x2");
+    EXPECT_EQ(job["modes"].is_null(), full);
+    EXPECT_EQ(job["time_step"], full ? Json(0.0012345678901) : Json(nullptr));
+    EXPECT_TRUE(job["relative_tolerance"].is_null());
+  }
+}
+
 TEST(PlanCases, MarksFirstTimesLater) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", small_case());
   ASSERT_EQ(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).code, 0);
+  const auto plan = [&](const std::string& how) {
+    return modalbench(scratch.path(), {"run", "case.toml", "--plan", how}).out;
+  };
+  EXPECT_THAT(plan("--resume"), testing::Not(HasSubstr("stored")));  // their times are left to take
+  EXPECT_THAT(plan("--untimed"), testing::Not(HasSubstr("to run")));
+  EXPECT_THAT(plan("--again"), testing::Not(HasSubstr("stored")));
   EXPECT_THAT(text(scratch / "results/results.jsonl"), testing::Not(HasSubstr("online-time")));
   ASSERT_EQ(modalbench(scratch.path(), {"run", "case.toml"}).code, 0);
   EXPECT_THAT(text(scratch / "results/results.jsonl"), HasSubstr("online-time"));

@@ -12,16 +12,13 @@
 #include "harness/study/current_records.h"
 #include "harness/study/front.h"
 #include "harness/study/identity.h"
+#include "harness/study/stored.h"
 
 namespace mb {
 
 namespace {
 
 constexpr double blown_up = 1e3;  // [-] error of a finite answer that has left the truth behind
-
-bool is_failure(const Record& record) {
-  return record.status != "ok" && record.status != "unstable" && !record.status.starts_with("undefined");
-}
 
 // A blow-up is what a step beyond its limit does to an explicit integrator: a result with a name of its own.
 void name_blow_up(std::vector<Record>& marks, const Integrator& integrator) {
@@ -51,25 +48,22 @@ class CaseRun {
         store_(store),
         options_(options),
         progress_(progress),
+        all_(jobs(*scene_, catalogue)),
         bench_(scene_, catalogue) {}
 
   CaseOutcome run() {
-    std::vector<Job> todo;
-    for (const Job& job : part(jobs(*scene_, catalogue_), options_.shard)) {
-      const bool stored = !options_.again && is_stored(job);
-      outcome_.n_stored += stored;
-      if (!stored) todo.push_back(job);
-    }
+    const std::vector<Job> todo = not_stored();
     if (todo.empty() && untimed_front().empty()) return outcome_;
-    const TruthSet truth = truths(scene_, catalogue_, store_, progress_);
-    const Grader grader(*scene_, truth, free_bodies(), provenance(scene_->profile));
-    mark_truths(grader, truth);
+    const std::optional<TruthSet> truth = truths_or_record();
+    if (!truth) return outcome_;
+    const Grader grader(*scene_, *truth, free_bodies(), provenance(scene_->profile));
+    mark_truths(grader, *truth);
     for (size_t i = 0; i < todo.size() && !stop(); ++i) {
       const std::string count = fmt::format("[{}/{}]", i + 1, todo.size());
       if (todo[i].kind == Job::Kind::marks)
         compete(grader, todo[i], count);
       else
-        analyse(todo[i], truth, count);
+        analyse(todo[i], *truth, count);
       ++outcome_.n_run;
     }
     if (!outcome_.interrupted) time_the_front(grader);
@@ -77,9 +71,19 @@ class CaseRun {
   }
 
  private:
-  bool is_stored(const Job& job) const {
-    if (job.kind == Job::Kind::analysis) return store_.has_findings(job.hash);
-    return store_.has_records(job.hash) && (!options_.timed || store_.has_times(job.hash));
+  // Jobs of this part that are left to do. What failed before has failed: it counts every time it is asked for.
+  std::vector<Job> not_stored() {
+    std::vector<Job> todo;
+    for (const Job& job : part(all_, options_.shard)) {
+      const StoredJob found = stored(job, store_);
+      const bool done = !options_.again && found.is_complete(options_.timed);
+      for (const RefusedLine& line : done ? std::vector<RefusedLine>() : found.damaged)
+        progress_(fmt::format("{}:{}: {}; computed again", line.file.string(), line.line, line.reason));
+      if (!done) todo.push_back(job);
+      outcome_.n_stored += done;
+      outcome_.n_failed += done && found.failed;
+    }
+    return todo;
   }
 
   bool stop() {
@@ -100,12 +104,36 @@ class CaseRun {
     return record;
   }
 
-  // The truth's own marks: what it contains, and how far the body's mesh is from it.
-  void mark_truths(const Grader& grader, const TruthSet& truth) {
+  // The truths; nothing where interrupted. Where they fail the case has no result: a record says so in its place.
+  std::optional<TruthSet> truths_or_record() {
+    try {
+      return truths(scene_, catalogue_, store_, progress_, [this] { return stop(); });
+    } catch (const StoreError&) {
+      throw;
+    } catch (const std::exception& error) {
+      const Record record = failed_truth(*scene_, error.what());
+      if (!holds_answers(record.run)) store_.write_records(record.run, {record});
+      throw;
+    }
+  }
+
+  // Whether sound records stand under that name, none of which says that it failed.
+  bool holds_answers(const std::string& run) const {
+    if (!store_.has_records(run)) return false;
+    const RecordLines lines = store_.read_records_of(run);
+    return lines.refused.empty() && std::ranges::none_of(lines.records, [](const Record& r) { return is_failure(r); });
+  }
+
+  // The truth's own marks: what it contains, and how far the body's mesh is from it. A contender that is the truth
+  // itself marks it, too.
+  void mark_truths(const Grader& grader, const TruthSet& truth) const {
     const auto contenders = truth_contenders(*scene_);
     const Record finer = base(contenders[0]), same_mesh = base(contenders[1]);
-    store_.write_records(finer.run, grader.truth_marks(finer));
-    store_.write_records(same_mesh.run, grader.marks(same_mesh, truth.loose));
+    const auto is_missing = [&](const Record& r) {
+      return std::ranges::find(all_, r.run, &Job::hash) == all_.end() && !holds_answers(r.run);
+    };
+    if (is_missing(finer)) store_.write_records(finer.run, grader.truth_marks(finer));
+    if (is_missing(same_mesh)) store_.write_records(same_mesh.run, grader.marks(same_mesh, truth.loose));
   }
 
   void compete(const Grader& grader, const Job& job, const std::string& count) {
@@ -114,14 +142,14 @@ class CaseRun {
       const ReadyContender ready = bench_.prepare(job.contender);
       record.modes_used = ready.prepared->modes_used();
       record.n_unknowns = ready.prepared->n_unknowns();
-      const bool again = options_.again || !store_.has_records(record.run);
-      std::vector<Record> records = again ? marks(grader, record, *ready.prepared) : stored_marks(record.run);
+      StoredJob found = stored(job, store_);
+      const bool again = options_.again || !found.has_result;
+      std::vector<Record> records = again ? marks(grader, record, *ready.prepared) : std::move(found.marks);
       if (again) store_.write_records(record.run, records);
-      outcome_.n_failed += std::ranges::any_of(records, is_failure);
-      if (options_.timed) {
-        // What gave no answer has no time; its file says that it was looked at.
-        const bool answered = std::ranges::any_of(records, [](const Record& r) { return r.status == "ok"; });
-        const auto times = answered ? bench_.times(grader, record, ready, cheap) : std::vector<Record>();
+      outcome_.n_failed += std::ranges::any_of(records, [](const Record& r) { return is_failure(r); });
+      // What gave no answer has no time.
+      if (options_.timed && std::ranges::any_of(records, [](const Record& r) { return r.status == "ok"; })) {
+        const auto times = bench_.times(grader, record, ready, cheap);
         store_.write_times(record.run, times);
         std::ranges::copy(times, std::back_inserter(records));
       }
@@ -130,7 +158,6 @@ class CaseRun {
       throw;  // a store that cannot be written is not the contender's failure
     } catch (const std::exception& error) {
       store_.write_records(record.run, grader.failure(record, std::string("failed: ") + error.what()));
-      if (options_.timed) store_.write_times(record.run, {});
       ++outcome_.n_failed;
       progress_(fmt::format("{} {} · {} · failed: {}", count, scene_->name, job.label, error.what()));
     }
@@ -142,12 +169,12 @@ class CaseRun {
     std::vector<Record> records = grader.marks(record, answer);
     name_blow_up(records, catalogue_.integrator(record.contender.integrator));
     store_.write_trajectory(record.run, thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));
+    if (record.run == base(truth_contenders(*scene_).front()).run)
+      std::ranges::copy(grader.truth_marks(record), std::back_inserter(records));
     if (record.contender.integrator == "exact")
       records.push_back(grader.number(record, "load-error", "-", prepared.load_error(), std::nan("")));
     return records;
   }
-
-  std::vector<Record> stored_marks(const std::string& run) const { return store_.read_records_of(run).records; }
 
   void finish(const std::string& count, const Job& job, const std::vector<Record>& records) const {
     double error = std::nan("");
@@ -169,9 +196,7 @@ class CaseRun {
       said = fmt::format("{} tables · {:.1f} s", findings.size(), time);
     } catch (const std::exception& error) {
       said = std::string("failed: ") + error.what();
-      findings.assign(1, {});
-      findings[0].analysis = findings[0].name = findings[0].title = job.analysis;
-      findings[0].note = said;
+      findings = {failed_table(job.analysis, error.what())};
       ++outcome_.n_failed;
     }
     for (Finding& finding : findings) {
@@ -189,7 +214,7 @@ class CaseRun {
     const auto front = dear_front(current_records(store_, {*scene_}).records);
     if (options_.shard.whole()) return front;
     std::set<std::string> mine;
-    for (const Job& job : part(jobs(*scene_, catalogue_), options_.shard)) mine.insert(job.hash);
+    for (const Job& job : part(all_, options_.shard)) mine.insert(job.hash);
     std::vector<std::string> left;
     std::ranges::copy_if(front, std::back_inserter(left), [&](const auto& run) { return mine.contains(run); });
     return left;
@@ -199,7 +224,7 @@ class CaseRun {
   void time_the_front(const Grader& grader) {
     for (const std::string& run : untimed_front()) {
       if (stop()) return;
-      const Record marked = stored_marks(run).front();
+      const Record marked = store_.read_records_of(run).records.front();
       Record record = base(marked.contender);
       record.modes_used = marked.modes_used;
       record.n_unknowns = marked.n_unknowns;
@@ -213,17 +238,12 @@ class CaseRun {
   const Store& store_;
   const RunOptions& options_;
   const Progress& progress_;
+  std::vector<Job> all_;  // of the case, whichever part of them is run here
   Bench bench_;
   CaseOutcome outcome_;
 };
 
 }  // namespace
-
-bool all_stored(const Scene& scene, const Catalogue& catalogue, const Store& store) {
-  return std::ranges::all_of(jobs(scene, catalogue), [&](const Job& job) {
-    return job.kind == Job::Kind::analysis ? store.has_findings(job.hash) : store.has_records(job.hash);
-  });
-}
 
 CaseOutcome run_case(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
                      const RunOptions& options, const Progress& progress) {

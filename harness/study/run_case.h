@@ -14,19 +14,18 @@ struct RunOptions {
   bool again = false;                 // run also what the store holds
   bool timed = true;                  // whether times are taken
   Shard shard;                        // which part of the jobs
-  std::function<bool()> interrupted;  // asked between runs; what is finished is kept
+  std::function<bool()> interrupted;  // asked between runs and truths; what is finished is kept
 };
 
 struct CaseOutcome {
-  int n_run = 0, n_stored = 0, n_failed = 0;  // jobs computed now, found in the store, failed
+  int n_run = 0, n_stored = 0;  // jobs computed now, found in the store
+  int n_failed = 0;             // of both: a failure that is stored is one still
   bool interrupted = false;
 };
 
-// Whether the store holds every mark and table of the scene.
-bool all_stored(const Scene& scene, const Catalogue& catalogue, const Store& store);
-
-// Records, trajectories, times and tables go to the store, one file each. Throws where the truth fails; a contender's
-// failure is a record with a status, an analysis' failure a table whose note says so.
+// Records, trajectories, times and tables go to the store, one file each. A contender's failure is a record with a
+// status, an analysis' failure a table whose note says so. Throws where the truth fails: one record, under the truth's
+// own name, says so.
 CaseOutcome run_case(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
                      const RunOptions& options, const Progress& progress);
 

@@ -1,0 +1,145 @@
+// What fails is told every time, and takes nothing else with it.
+#include <gmock/gmock.h>
+
+#include "cases/json/record_json.h"
+#include "harness/program_test.h"
+#include "harness/store/scratch_folder_test.h"
+#include "harness/store/store.h"
+#include "harness/study/catalogue_test.h"
+#include "harness/study/stored.h"
+
+namespace mb {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+std::string with_a_broken_method() {
+  return replaced(small_case(), R"(methods = ["static-correction"])", R"(methods = ["static-correction", "breaks"])");
+}
+std::vector<Record> records_in(const ScratchFolder& scratch) {
+  return read_records(scratch / "results/results.jsonl").records;
+}
+
+TEST(FailureCases, AContenderThatThrowsIsExitCodeThreeEveryTime) {
+  const ScratchFolder scratch;
+  const Catalogue catalogue = with_a_method_that_breaks();
+  written(scratch / "case.toml", with_a_broken_method());
+  for (const char* count : {"5 runs done, 0 found", "0 runs done, 5 found"}) {
+    const Said said = modalbench(scratch.path(), {"run", "case.toml"}, catalogue);
+    EXPECT_EQ(said.code, 3);
+    EXPECT_THAT(said.err, HasSubstr(count));
+    EXPECT_THAT(said.err, HasSubstr("1 failed"));
+    EXPECT_THAT(said.out, HasSubstr("holds small"));
+  }
+  EXPECT_TRUE(std::ranges::any_of(records_in(scratch),
+                                  [](const Record& r) { return r.status == "failed: broken on purpose"; }));
+}
+
+TEST(FailureCases, SeveralProcessesForgetNoFailure) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", with_a_broken_method());
+  const Said said =
+      modalbench(scratch.path(), {"run", "case.toml", "--untimed", "--jobs", "2"}, with_a_method_that_breaks());
+  EXPECT_EQ(said.code, 3);
+  EXPECT_THAT(said.err, HasSubstr("0 runs done, 5 found"));
+}
+
+TEST(FailureCases, AnAnalysisThatThrowsTakesNoOtherWithIt) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", replaced(small_case(), "modes = [4, 12]",
+                                          "modes = [4, 12]\nanalyses = [\"frequencies\", \"probe-extremes\"]"));
+  const std::string why = "the case states no [reference_frequencies]";
+  const Said first = modalbench(scratch.path(), {"run", "case.toml"});
+  EXPECT_EQ(first.code, 3);
+  EXPECT_THAT(first.err, HasSubstr("frequencies · failed: " + why));
+  EXPECT_THAT(first.err, HasSubstr("6 runs done, 0 found"));
+  const auto all = Store(scratch / "results").read_all_findings();
+  EXPECT_EQ(std::ranges::count_if(all.findings, [](const Finding& f) { return f.analysis == "probe-extremes"; }), 1);
+  const auto failed = std::ranges::find_if(all.findings, [](const Finding& f) { return is_failure(f); });
+  ASSERT_NE(failed, all.findings.end());
+  EXPECT_EQ(failed->analysis, "frequencies");
+  EXPECT_THAT(failed->note, HasSubstr(why));
+  const Said second = modalbench(scratch.path(), {"run", "case.toml"});
+  EXPECT_EQ(second.code, 3);
+  EXPECT_THAT(second.err, HasSubstr("0 runs done, 6 found in results, 1 failed"));
+}
+
+TEST(FailureCases, ATruthThatFailsLeavesARecordUntilItSucceeds) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "cases");
+  written(scratch / "cases/small.toml", small_case());
+  for (int i = 0; i < 2; ++i) {
+    const Said said = modalbench(scratch.path(), {"run", "small"}, with_sundials(&broken_sundials));
+    EXPECT_EQ(said.code, 3);
+    EXPECT_THAT(said.err, HasSubstr("small · failed: no truth on purpose"));
+  }
+  ASSERT_EQ(records_in(scratch).size(), 1u);
+  EXPECT_EQ(records_in(scratch)[0].status, "failed: no truth on purpose");
+  ASSERT_EQ(modalbench(scratch.path(), {"report"}).code, 0);
+  EXPECT_THAT(text(scratch / "report/report.md"), HasSubstr("no truth on purpose"));
+  EXPECT_THAT(text(scratch / "report/report.md"), HasSubstr("0 of 1 check"));
+
+  EXPECT_EQ(modalbench(scratch.path(), {"run", "small"}).code, 0);
+  for (const Record& r : records_in(scratch)) EXPECT_EQ(r.status, "ok") << r.metric;
+}
+
+TEST(FailureCases, DamagedResultsAreNamedAndComputedAgain) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml",
+          replaced(small_case(), "modes = [4, 12]", "modes = [4, 12]\nanalyses = [\"probe-extremes\"]"));
+  ASSERT_EQ(modalbench(scratch.path(), {"run", "case.toml"}).code, 0);
+  const Scene scene = read_toml(scratch / "case.toml", default_catalogue().vocabulary());
+  const std::vector<Job> all = jobs(scene, default_catalogue());
+  const auto file = [&](const std::string& shelf, size_t i, const char* ending) {
+    return scratch / ("results/" + shelf + "/" + all[i].hash + ending);
+  };
+  const size_t n_records = records_in(scratch).size();
+  fs::resize_file(file("records", 0, ".jsonl"), 700);
+  fs::resize_file(file("records", 1, ".jsonl"), 0);
+  fs::resize_file(file("timings", 2, ".jsonl"), 0);
+  fs::resize_file(file("findings", 4, ".json"), 20);
+  const Said plan = modalbench(scratch.path(), {"run", "case.toml", "--plan"});
+  for (const size_t i : {0, 1, 2, 4}) EXPECT_THAT(plan.out, HasSubstr(all[i].hash + "  to run"));
+  EXPECT_THAT(plan.out, HasSubstr(all[3].hash + "  stored"));
+  const Said said = modalbench(scratch.path(), {"run", "case.toml"});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("4 runs done, 1 found"));
+  EXPECT_THAT(said.err, HasSubstr(all[0].hash + ".jsonl:1: "));
+  EXPECT_THAT(said.err, HasSubstr(all[1].hash + ".jsonl:0: holds no record; computed again"));
+  EXPECT_THAT(said.err, HasSubstr(all[4].hash + ".json:0: "));
+  EXPECT_EQ(records_in(scratch).size(), n_records);
+  EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml"}).err, HasSubstr("0 runs done, 5 found"));
+}
+
+// Rivals that are the truths themselves: under one name stand their marks, their times and what the truth contains.
+TEST(FailureCases, TruthsLeaveTheTimesOfTheirTwinsAlone) {
+  const ScratchFolder scratch;
+  const std::string twins = R"(
+[[study.rival]]
+integrator = "sundials"
+degrees = [2, 3]
+cells = [[1, 2]]
+relative_tolerances = [1e-4]
+[[check]])";
+  written(scratch / "case.toml", replaced(small_case(), "\n[[check]]", twins));
+  const auto count = [&](const std::string& method, const std::string& metric) {
+    return std::ranges::count_if(
+        records_in(scratch), [&](const Record& r) { return r.contender.integrator == method && r.metric == metric; });
+  };
+  for (const auto& words : {std::vector<std::string>{}, {"--set", "modal.modes=6"}, {}}) {
+    std::vector<std::string> line{"run", "case.toml"};
+    line.insert(line.end(), words.begin(), words.end());
+    ASSERT_EQ(modalbench(scratch.path(), line).code, 0);
+    EXPECT_EQ(count("sundials", "online-time"), 2);
+    EXPECT_EQ(count("sundials", "truth-above-band"), 1);
+    EXPECT_EQ(count("sundials", "displacement-error"), 3);  // on the body's mesh against both truths
+  }
+  EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml"}).err, HasSubstr("0 runs done, 6 found"));
+}
+
+}  // namespace
+}  // namespace mb

@@ -1,0 +1,80 @@
+#include "harness/study/stored.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "harness/provenance.h"
+#include "harness/study/identity.h"
+#include "reports/runs.h"
+
+namespace mb {
+
+namespace {
+
+constexpr const char* failure = "failure";  // the one column of such a table
+
+StoredJob stored_tables(const Job& job, const Store& store) {
+  StoredJob found;
+  found.has_times = true;  // an analysis takes its own
+  if (!store.has_findings(job.hash)) return found;
+  Store::Findings tables = store.read_findings_of(job.hash);
+  found.has_result = tables.refused.empty();
+  found.failed = std::ranges::any_of(tables.findings, [](const Finding& f) { return is_failure(f); });
+  found.damaged = std::move(tables.refused);
+  return found;
+}
+
+// Where a contender is the truth itself, what stands under its name may be what the truth contains and no mark of it.
+StoredJob stored_marks(const Job& job, const Store& store) {
+  StoredJob found;
+  if (!store.has_records(job.hash)) return found;
+  RecordLines marks = store.read_records_of(job.hash);
+  found.has_result = marks.refused.empty() && !std::ranges::all_of(marks.records, is_of_truth);
+  found.failed = std::ranges::any_of(marks.records, [](const Record& r) { return is_failure(r); });
+  found.damaged = std::move(marks.refused);
+  found.has_times = std::ranges::none_of(marks.records, [](const Record& r) { return r.status == "ok"; });
+  found.marks = std::move(marks.records);
+  if (found.has_times || !store.has_times(job.hash)) return found;
+  RecordLines times = store.read_times_of(job.hash);
+  found.has_times = times.refused.empty() && !times.records.empty();
+  std::ranges::move(times.refused, std::back_inserter(found.damaged));
+  return found;
+}
+
+}  // namespace
+
+bool is_failure(const Record& record) {
+  return record.status != "ok" && record.status != "unstable" && !record.status.starts_with("undefined");
+}
+
+Record failed_truth(const Scene& scene, const std::string& reason) {
+  Record record;
+  record.contender = truth_contenders(scene).front();
+  record.run = run_hash(scene, record.contender);
+  record.case_name = scene.name;
+  record.profile = scene.profile;
+  record.metric = "truth-above-band";
+  record.truth = to_string(TruthKind::finer);
+  record.unit = "-";
+  record.value = std::numeric_limits<double>::quiet_NaN();
+  record.status = "failed: " + reason;
+  record.provenance = provenance(scene.profile);
+  return record;
+}
+
+bool is_failure(const Finding& finding) { return finding.columns.size() == 1 && finding.columns[0].name == failure; }
+
+Finding failed_table(const std::string& analysis, const std::string& reason) {
+  Finding table;
+  table.analysis = table.name = table.title = analysis;
+  table.note = "failed: " + reason;
+  table.columns = {{failure, ""}};
+  table.rows = {{reason}};
+  return table;
+}
+
+StoredJob stored(const Job& job, const Store& store) {
+  return job.kind == Job::Kind::analysis ? stored_tables(job, store) : stored_marks(job, store);
+}
+
+}  // namespace mb

@@ -1,0 +1,31 @@
+// What the store holds of a job. "Stored" means the same everywhere: the file is there, every line of it is sound, and
+// it says something of the job. Anything else is computed again. And how failures are stored, which no run forgets.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/store/store.h"
+#include "harness/study/plan.h"
+
+namespace mb {
+
+// Neither a number, nor a result with a name of its own (unstable, undefined): the run gave no answer.
+bool is_failure(const Record& record);
+// The record that stands for all results of a case whose truth failed, under the name of the truth `finer`.
+Record failed_truth(const Scene& scene, const std::string& reason);
+// The table that stands for those of an analysis that failed.
+bool is_failure(const Finding& finding);
+Finding failed_table(const std::string& analysis, const std::string& reason);
+
+struct StoredJob {
+  bool has_result = false;           // marks of a contender, or tables of an analysis
+  bool has_times = false;            // they are there, or there is nothing whose time could be taken
+  bool failed = false;               // the result is that it failed
+  std::vector<Record> marks;         // of a contender
+  std::vector<RefusedLine> damaged;  // why it is not stored although there are files
+  bool is_complete(bool timed) const { return has_result && (has_times || !timed); }
+};
+StoredJob stored(const Job& job, const Store& store);
+
+}  // namespace mb
