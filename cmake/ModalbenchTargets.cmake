@@ -31,6 +31,9 @@ endif()
 find_program(MODALBENCH_LLD ld.lld)
 if(MODALBENCH_LLD)      # GNU ld takes 10 s an executable with deal.II's libraries, lld 0.4 s
   add_link_options(-fuse-ld=lld)
+  # g++ 12 leaves empty cold parts of destructors, whose unwind entries of length 0 hide their neighbours' from lld's
+  # table: an exception thrown there would end the program.
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fno-reorder-blocks-and-partition>)
 endif()
 find_program(MODALBENCH_CCACHE ccache)
 if(MODALBENCH_CCACHE)   # the sloppiness is what it needs to cache with precompiled headers
