@@ -34,6 +34,9 @@ std::filesystem::path find_case(const std::string& name_or_file) {
     if (file.stem() == name_or_file) return file;
     names.push_back(file.stem());
   }
+  if (names.empty())
+    throw UnknownCase("unknown case '" + name_or_file +
+                      "': no case files in folder 'cases' here or beside the program");
   throw UnknownCase("unknown case '" + name_or_file + "'; " + suggestion(name_or_file, names, "cases"));
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
 #include "cases/json/json.h"
 #include "cases/scene/diagnostics.h"
@@ -25,6 +26,15 @@ void print_table(const std::vector<Entry>& entries, std::ostream& out) {
   fmt::print(out, "{:<28} {:>5} {:>8}  {}\n", "case", "runs", "minutes", "exercises");
   for (const Entry& entry : entries)
     fmt::print(out, "{:<28} {:>5} {:>8.2g}  {}\n", entry.scene.name, entry.n_runs, entry.minutes, about(entry.scene));
+}
+
+// The names that a case file may use.
+void print_names(const Vocabulary& names, std::ostream& out) {
+  fmt::print(out, "\nRuns and minutes (estimated) are of the quick profile. Names for case files and --set:\n");
+  fmt::print(out, "  methods      {}\n", fmt::join(names.methods, ", "));
+  fmt::print(out, "  integrators  {}\n", fmt::join(names.integrators, ", "));
+  fmt::print(out, "  analyses     {}\n", fmt::join(names.analyses, ", "));
+  fmt::print(out, "  metrics      {}\n", fmt::join(names.metrics, ", "));
 }
 
 void print_json(const std::vector<Entry>& entries, std::ostream& out) {
@@ -60,7 +70,7 @@ int list_command(const ListOptions& options, const Catalogue& catalogue, const C
   if (options.json)
     print_json(entries, console.out);
   else if (!entries.empty())
-    print_table(entries, console.out);
+    print_table(entries, console.out), print_names(catalogue.vocabulary(), console.out);
   return code;
 }
 

@@ -24,6 +24,8 @@ TEST(ListTest, NamesRunsAndMinutes) {
   const test::Told table = list(folder, {});
   EXPECT_EQ(table.code, 0);
   EXPECT_THAT(table.out, HasSubstr("small"));
+  for (const char* name : {"static-correction", "symplectic-euler", "aliasing", "displacement-error"})
+    EXPECT_THAT(table.out, HasSubstr(name));
   EXPECT_EQ(table.err, "");
   const Json json = parse_json(list(folder, {.json = true}).out);
   ASSERT_EQ(json["cases"].size(), 1u);

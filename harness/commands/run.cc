@@ -77,10 +77,15 @@ bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored,
     const std::string of = check.table.empty() ? fmt::format("{} r={} · {} against {}", check.method, check.modes,
                                                              check.metric, check.truth)
                                                : subject_of(check);
-    fmt::print(out, "{:<5} {} · {} = {} +- {:.1e} (must be {} {:g}){}\n", result.holds ? "holds" : "FAILS",
-               result.case_name, of, result.measured ? fmt::format("{:.3e}", result.value) : result.status,
-               result.error_bar, upper ? "at most" : "at least", upper ? *check.at_most : *check.at_least,
-               result.decidable ? "" : ": below the error bar, not decidable");
+    const bool open = result.measured && !result.decidable;  // no pass: what is not known does not hold
+    const std::string bar = result.error_bar > 0 ? fmt::format(" +- {:.1e}", result.error_bar) : "";
+    fmt::print(out, "{:<5} {} · {} = {} (must be {} {:g}){}\n",
+               result.holds ? "holds"
+               : open       ? "OPEN"
+                            : "FAILS",
+               result.case_name, of, result.measured ? fmt::format("{:.4g}{}", result.value, bar) : result.status,
+               upper ? "at most" : "at least", upper ? *check.at_most : *check.at_least,
+               open ? ": within the error bar, not decidable" : "");
     all = all && result.holds;
   }
   return all;
