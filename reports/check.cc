@@ -1,6 +1,8 @@
-// A check holds when the measured value satisfies its bound; it is not decidable where the bound lies below the error
-// bar of the value and the two are closer than that bar.
+// A check holds where every value within the error bar satisfies the bound, and fails where none does:
+//
+//   at_most:  value + bar <= bound holds,  value - bar > bound fails,  between them it is not decidable
 #include <cmath>
+#include <tuple>
 
 #include "reports/content.h"
 #include "reports/findings.h"
@@ -21,24 +23,31 @@ CheckResult blank(const Scene& scene, const Check& check, const std::string& sta
   return result;
 }
 
-void decide(CheckResult& result) {
-  const double inside = margin(result.check, result.value);
-  result.decidable = bound(result.check) >= result.error_bar || std::abs(inside) > result.error_bar;
-  result.holds = result.decidable && inside >= 0;
+CheckResult decided(const Scene& scene, const Check& check, double value, double error_bar) {
+  CheckResult result = blank(scene, check, "ok");
+  result.measured = true;
+  result.value = value;
+  result.error_bar = error_bar;
+  const double inside = margin(check, value);
+  result.holds = inside >= error_bar;
+  result.decidable = result.holds || inside < -error_bar;
+  return result;
+}
+
+// Of several answers one that fails counts before one that is not decidable, and that before one that holds.
+bool is_worse(const CheckResult& a, const CheckResult& b) {
+  const auto rank = [](const CheckResult& r) { return std::tuple(r.holds, !r.decidable, margin(r.check, r.value)); };
+  return !b.measured || rank(a) < rank(b);
 }
 
 CheckResult judge(const Scene& scene, const Check& check, const std::vector<const Record*>& answers) {
-  CheckResult result = blank(scene, check, answers.empty() ? "no record" : "ok");
+  CheckResult worst = blank(scene, check, "no record");
   for (const Record* answer : answers) {
     if (!is_usable(*answer)) return blank(scene, check, reason(*answer));  // one failed part fails the whole check
-    const bool worst = !result.measured || margin(check, answer->value) < margin(check, result.value);
-    if (!worst) continue;
-    result.measured = true;
-    result.value = answer->value;
-    result.error_bar = answer->error_bar.value_or(0);
+    CheckResult one = decided(scene, check, answer->value, answer->error_bar.value_or(0));
+    if (is_worse(one, worst)) worst = std::move(one);
   }
-  if (result.measured) decide(result);
-  return result;
+  return worst;
 }
 
 // Rows are asked for by their first cell: a text, or a number as a person writes it.
@@ -49,7 +58,7 @@ bool is_asked(const Check& check, const FindingCell& first) {
 }
 
 CheckResult judge(const Scene& scene, const Check& check, const std::vector<Finding>& findings) {
-  CheckResult result = blank(scene, check, "no record");
+  CheckResult worst = blank(scene, check, "no record");
   for (const Finding& finding : findings) {
     const bool own = finding.case_name == scene.name && finding.profile == scene.profile && finding.name == check.table;
     if (!own) continue;
@@ -58,14 +67,11 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<Find
       if (finding.rows[i].empty() || !is_asked(check, finding.rows[i][0])) continue;
       const double value = number_at(finding, i, check.column);
       if (std::isnan(value)) return blank(scene, check, "not a number in row " + std::to_string(i + 1));
-      if (result.measured && !(margin(check, value) < margin(check, result.value))) continue;
-      result.measured = true;
-      result.status = "ok";
-      result.value = value;
+      CheckResult one = decided(scene, check, value, 0);  // tables carry no error bars
+      if (is_worse(one, worst)) worst = std::move(one);
     }
   }
-  if (result.measured) decide(result);
-  return result;
+  return worst;
 }
 
 std::vector<const Run*> runs_asked(const Scene& scene, const Check& check, const std::vector<Run>& runs) {

@@ -48,31 +48,32 @@ std::vector<Record> answer(double value, double bar) {
   return {record("displacement-error", value, bar, reduced("eigenmodes", 8))};
 }
 
-TEST(CheckResults, HoldsWithinItsBoundAndAtIt) {
+TEST(CheckResults, HoldsWhereValueAndBarAreWithinTheBound) {
   EXPECT_TRUE(result_of(at_most(0.02), answer(0.01, 1e-3)).holds);
-  EXPECT_TRUE(result_of(at_most(0.02), answer(0.02, 1e-3)).holds);
+  EXPECT_TRUE(result_of(at_most(0.02), answer(0.02, 0)).holds);
   EXPECT_TRUE(result_of(at_least(0.02), answer(0.03, 1e-3)).holds);
+  EXPECT_TRUE(result_of(at_least(0.02), answer(0.02, 0)).holds);
 }
 
-TEST(CheckResults, FailsOutsideItsBound) {
-  const CheckResult above = result_of(at_most(0.02), answer(0.021, 1e-3));
-  EXPECT_FALSE(above.holds);
-  EXPECT_TRUE(above.measured);
-  EXPECT_TRUE(above.decidable);
-  EXPECT_FALSE(result_of(at_least(0.02), answer(0.01, 1e-3)).holds);
+TEST(CheckResults, FailsWhereEvenTheNearestValueOfTheBarIsOutside) {
+  for (const CheckResult& result :
+       {result_of(at_most(0.02), answer(0.022, 1e-3)), result_of(at_least(0.02), answer(0.018, 1e-3)),
+        result_of(at_most(1e-4), answer(1e-2, 4e-4))}) {
+    EXPECT_FALSE(result.holds);
+    EXPECT_TRUE(result.measured);
+    EXPECT_TRUE(result.decidable);
+  }
 }
 
-TEST(CheckResults, CannotTellBelowTheErrorBar) {
-  const CheckResult result = result_of(at_most(1e-4), answer(5e-5, 4e-4));
-  EXPECT_FALSE(result.decidable);
-  EXPECT_FALSE(result.holds);
-  EXPECT_TRUE(result.measured);
-}
-
-TEST(CheckResults, FailsSurelyWhereTheValueIsFurtherThanTheBarFromTheBound) {
-  const CheckResult result = result_of(at_most(1e-4), answer(1e-2, 4e-4));
-  EXPECT_TRUE(result.decidable);
-  EXPECT_FALSE(result.holds);
+TEST(CheckResults, CannotTellWhereTheBoundLiesWithinTheErrorBar) {
+  for (const CheckResult& result :
+       {result_of(at_most(1e-4), answer(5e-5, 4e-4)), result_of(at_most(0.012), answer(0.0078, 0.0078)),
+        result_of(at_most(0.02), answer(0.0205, 1e-3)), result_of(at_least(0.02), answer(0.0205, 1e-3)),
+        result_of(at_least(0.02), answer(0.0195, 1e-3))}) {
+    EXPECT_FALSE(result.decidable) << result.value;
+    EXPECT_FALSE(result.holds) << result.value;
+    EXPECT_TRUE(result.measured) << result.value;
+  }
 }
 
 TEST(CheckResults, IsNotMeasuredWithoutRecord) {
@@ -114,6 +115,20 @@ TEST(CheckResults, TheWorstBodyDecides) {
   EXPECT_DOUBLE_EQ(result_of(at_most(0.02), records).value, 0.03);
   EXPECT_FALSE(result_of(at_most(0.02), records).holds);
   EXPECT_DOUBLE_EQ(result_of(at_least(0.02), records).value, 0.01);
+}
+
+TEST(CheckResults, AFailureOutweighsWhatIsNotDecidableAndThatWhatHolds) {
+  std::vector<Record> records = answer(0.019, 1e-4);  // holds
+  records[0].subject = std::string("ball");
+  records.push_back(answer(0.015, 0.01)[0]);  // not decidable, though further inside
+  records[1].subject = std::string("plate");
+  EXPECT_FALSE(result_of(at_most(0.02), records).decidable);
+  records.push_back(answer(0.0205, 1e-4)[0]);  // fails
+  records[2].subject = std::string("rod");
+  records.push_back(answer(0.03, 0.05)[0]);  // not decidable, though further outside
+  records[3].subject = std::string("bar");
+  EXPECT_TRUE(result_of(at_most(0.02), records).decidable);
+  EXPECT_FALSE(result_of(at_most(0.02), records).holds);
 }
 
 TEST(CheckResults, RunsInClosedFormAnswerWhereThereAreAny) {

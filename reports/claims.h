@@ -1,7 +1,5 @@
 // The claims of Pentland and Williams (Good Vibrations, SIGGRAPH 1989) with what was measured. Verdicts follow from
 // records and findings alone and decide no exit code.
-//
-//   a claim measured in several cases, schemes or norms: holds in all -> holds, in some -> holds within stated limits
 #pragma once
 
 #include <string>
@@ -11,7 +9,7 @@
 
 namespace mb {
 
-enum class Ruling { holds, holds_within_limits, does_not_hold, not_measured };
+enum class Ruling { holds, holds_within_limits, does_not_hold, not_decided, not_measured };
 const char* to_string(Ruling ruling);  // "holds within stated limits"
 
 struct Claim {
@@ -24,7 +22,7 @@ struct Claim {
 };
 std::vector<Claim> claims(const Evaluation& evaluation);
 
-// Of single rulings the one on all of them; those not measured do not count.
+// Of single rulings the one on all of them; those not measured or not decided do not count beside others.
 Ruling together(const std::vector<Ruling>& rulings);
 
 Sheet claims_table(const Evaluation& evaluation);

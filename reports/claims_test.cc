@@ -12,6 +12,7 @@ namespace mb {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 Claim claim(const ReportInput& input, const std::string& id) {
   for (const Claim& one : claims(evaluate(input))) {
@@ -32,14 +33,13 @@ TEST(Claims, SomeMeasuredAndSomeNotMakeLimits) {
   EXPECT_EQ(together({Ruling::holds, Ruling::does_not_hold}), Ruling::holds_within_limits);
   EXPECT_EQ(together({Ruling::does_not_hold}), Ruling::does_not_hold);
   EXPECT_EQ(together({Ruling::holds_within_limits}), Ruling::holds_within_limits);
+  EXPECT_EQ(together({Ruling::not_decided, Ruling::not_measured}), Ruling::not_decided);
+  EXPECT_EQ(together({Ruling::not_decided, Ruling::does_not_hold}), Ruling::does_not_hold);
 }
 
 TEST(Claims, VerdictsFollowTheFindings) {
   ReportInput input = synthetic::input();
   EXPECT_EQ(claim(input, "C2").ruling, Ruling::holds);
-  EXPECT_EQ(claim(input, "C7").ruling, Ruling::does_not_hold);  // made for fixed energy; for fixed force it is so
-  EXPECT_THAT(claim(input, "C7").limits, HasSubstr("holds in cylinder-compression (force)"));
-  EXPECT_THAT(claim(input, "C7").measured, HasSubstr("energy: 1.00"));
   const Claim steps = claim(input, "C6");
   EXPECT_EQ(steps.ruling, Ruling::holds_within_limits);
   EXPECT_THAT(steps.limits, HasSubstr("does not hold in cylinder-compression (explicit Euler)"));
@@ -48,25 +48,97 @@ TEST(Claims, VerdictsFollowTheFindings) {
       if (finding.name == "step-limit-exponents") row.back() = "not decided: too few mode counts";
     }
   }
-  EXPECT_EQ(claim(input, "C6").ruling, Ruling::not_measured);
-  EXPECT_EQ(claim(input, "C6").measured, "");
+  EXPECT_EQ(claim(input, "C6").ruling, Ruling::not_decided);
+  EXPECT_THAT(claim(input, "C6").limits, HasSubstr("not decided in cylinder-compression (central difference)"));
 }
 
-TEST(Claims, TheSpeedUpHoldsFromAHundredOn) {
-  for (const double ratio : {99.0, 101.0}) {
-    ReportInput input;
-    for (const auto& [contender, seconds] :
-         {std::pair(synthetic::reduced("eigenmodes", 8), 1.0), std::pair(synthetic::full(2, {1, 2}, 0.01), ratio)}) {
-      input.records.push_back(synthetic::record("displacement-error", 5e-3, 0, contender));
-      input.records.push_back(synthetic::seconds("online-time", seconds, contender));
+TEST(Claims, OnlyFixedEnergyDecidesOnAmplitudes) {
+  const Claim one = claim(synthetic::input(), "C7");  // for a fixed force the exponent is that of the claim
+  EXPECT_EQ(one.ruling, Ruling::does_not_hold);
+  EXPECT_EQ(one.limits, "does not hold in cylinder-compression (energy)");
+  EXPECT_THAT(one.measured, HasSubstr("energy: 1.00; force: 2.00"));
+}
+
+TEST(Claims, SchemesOfNoIntegratorDoNotDecideOnSteps) {
+  ReportInput input = synthetic::input();
+  EXPECT_THAT(claim(input, "C6").limits, Not(HasSubstr("exact damping")));
+  EXPECT_THAT(claim(input, "C6").measured, HasSubstr("explicit Euler, exact damping: -2.00"));
+  for (Finding& finding : input.findings) {
+    for (auto& row : finding.rows) {
+      if (finding.name == "step-limit-exponents" && row[1] == FindingCell("explicit Euler")) row.back() = "holds";
     }
-    const Claim one = claim(input, "C1");
-    EXPECT_EQ(one.ruling, ratio > 100 ? Ruling::holds : Ruling::does_not_hold);
-    EXPECT_THAT(one.measured, HasSubstr(format_number(ratio)));
+  }
+  EXPECT_EQ(claim(input, "C6").ruling, Ruling::holds);
+}
+
+// A reduced run of 1 s +- 3 % and 0.5 % error in that case; a rival of so many seconds, a near miss of so many.
+void add_case(ReportInput& input, const std::string& name, double rival, double miss) {
+  const auto add = [&](const Contender& contender, double error, double seconds) {
+    if (seconds == 0) return;
+    input.records.push_back(synthetic::record("displacement-error", error, 0, contender));
+    input.records.push_back(synthetic::seconds("online-time", seconds, contender));
+    for (std::size_t i = input.records.size() - 2; i < input.records.size(); ++i) input.records[i].case_name = name;
+  };
+  add(synthetic::reduced("eigenmodes", 8), 5e-3, 1);
+  add(synthetic::full(2, {1, 2}, 0.01), 5e-3, rival);
+  add(synthetic::full(2, {1, 2}, 0.02), 6e-3, miss);
+}
+
+TEST(Claims, TheLargestSpeedUpDecidesAndItsNearMissMustReachAHundred) {
+  struct Expected {
+    double rival, miss;
+    Ruling ruling;
+  };
+  for (const Expected& one :
+       {Expected{120, 0, Ruling::holds}, Expected{99, 0, Ruling::does_not_hold}, Expected{400, 99, Ruling::not_decided},
+        Expected{400, 101, Ruling::holds}, Expected{101, 0, Ruling::not_decided}}) {  // the last within the spreads
+    ReportInput input;
+    add_case(input, "a", one.rival, one.miss);
+    add_case(input, "b", 3, 2);
+    add_case(input, "c", 0, 0);
+    const Claim found = claim(input, "C1");
+    EXPECT_EQ(found.ruling, one.ruling) << one.rival << " " << one.miss;
+    EXPECT_THAT(found.measured, HasSubstr("largest speed-up " + format_number(one.rival)));
+    EXPECT_THAT(found.measured, HasSubstr("b 3.00 (at least 2.00)"));
+    EXPECT_THAT(found.limits, HasSubstr("no rival reaches the error in 1 of 3 cases: c"));
   }
 }
 
-TEST(Claims, PolynomialModesSufficeByWhatTheEyeSees) {
+TEST(Claims, ASpeedUpOfPerturbedTimesIsNoMoreThanTheyLeaveOfIt) {
+  ReportInput input;
+  add_case(input, "a", 150, 0);
+  EXPECT_EQ(claim(input, "C1").ruling, Ruling::holds);
+  input.records.back().provenance["busy"] = "0.6";
+  EXPECT_EQ(claim(input, "C1").ruling, Ruling::not_decided);
+  EXPECT_THAT(claim(input, "C1").limits, HasSubstr("perturbed in a"));
+  input.records.back().error_bar.reset();  // a single run has no range, but is as perturbed
+  EXPECT_EQ(claim(input, "C1").ruling, Ruling::not_decided);
+}
+
+Claim polynomials(const Shape& shape, double error, double bar = 0) {
+  ReportInput input;
+  input.scenes = {synthetic::scene()};
+  input.scenes[0].bodies[0].shape = shape;
+  input.records = {synthetic::record("displacement-error", error, bar, synthetic::reduced("quadratic", 0))};
+  return claim(input, "C4");
+}
+
+TEST(Claims, PolynomialModesSufficeForCompactBodiesAndNotForDisparateOnes) {
+  const Shape compact = Cylinder{0.05, 0.5}, slender = Cylinder{0.05, 0.6}, thin = Box{{10, 10, 1}};
+  EXPECT_EQ(polynomials(compact, 0.05).ruling, Ruling::holds);
+  EXPECT_EQ(polynomials(compact, 0.2).ruling, Ruling::does_not_hold);
+  for (const Shape& disparate : {slender, thin}) {
+    EXPECT_EQ(polynomials(disparate, 0.2).ruling, Ruling::holds);
+    EXPECT_EQ(polynomials(disparate, 0.05).ruling, Ruling::does_not_hold);
+    EXPECT_THAT(polynomials(disparate, 0.2).measured, HasSubstr("disparate: 0.200"));
+    EXPECT_THAT(polynomials(disparate, 0.2).limits, HasSubstr("holds in cylinder-compression (disparate)"));
+  }
+  EXPECT_EQ(polynomials(Sphere{1}, 0.05).ruling, Ruling::holds);
+  EXPECT_EQ(polynomials(compact, 0.09, 0.02).ruling, Ruling::not_decided);  // 10 % lies within the bar
+  EXPECT_THAT(polynomials(compact, 0.05).criterion, HasSubstr("disparate"));
+}
+
+TEST(Claims, PolynomialModesAreJudgedByWhatTheEyeSees) {
   ReportInput input = synthetic::input();
   EXPECT_EQ(claim(input, "C4").ruling, Ruling::does_not_hold);  // displacement error 0.12 of quadratic
   for (Record& record : input.records) {
@@ -74,6 +146,8 @@ TEST(Claims, PolynomialModesSufficeByWhatTheEyeSees) {
     if (record.metric == "surface-deviation") record.value = 0.9;  // says nothing: it is relative to the body
   }
   EXPECT_EQ(claim(input, "C4").ruling, Ruling::holds);
+  input.scenes.clear();  // no telling how compact the body is
+  EXPECT_EQ(claim(input, "C4").ruling, Ruling::not_measured);
 }
 
 std::string cell_of(const ReportInput& input, const std::string& contender) {
@@ -87,7 +161,7 @@ std::string cell_of(const ReportInput& input, const std::string& contender) {
 TEST(Matrix, SaysWhatHappenedInSymbolAndNumber) {
   ReportInput input = synthetic::input();
   EXPECT_THAT(cell_of(input, "static-correction"), testing::StartsWith("✔ "));
-  EXPECT_THAT(cell_of(input, "static-correction"), HasSubstr("r = 128"));
+  EXPECT_THAT(cell_of(input, "static-correction"), HasSubstr("r = 256"));
   EXPECT_THAT(cell_of(input, "quadratic"), testing::StartsWith("▲ 0.12"));
   EXPECT_EQ(cell_of(input, "eigenmodes, explicit-euler"), "⚡ 1 unstable of 1");
   EXPECT_THAT(cell_of(input, "full order, newmark"), HasSubstr("1 failed of 40"));
@@ -97,6 +171,14 @@ TEST(Matrix, SaysWhatHappenedInSymbolAndNumber) {
   }
   EXPECT_EQ(cell_of(input, "linear"), "✘ 1 failed of 1");
   EXPECT_THAT(cell_of(input, "quadratic"), testing::StartsWith("⚡"));
+}
+
+TEST(Matrix, ATickNeedsErrorAndBarWithinTheTarget) {
+  for (const double bar : {4e-3, 6e-3}) {
+    ReportInput input;
+    input.records = {synthetic::record("displacement-error", 5e-3, bar, synthetic::reduced("eigenmodes", 8))};
+    EXPECT_THAT(cell_of(input, "eigenmodes"), testing::StartsWith(bar < 5e-3 ? "✔ " : "▲ "));
+  }
 }
 
 TEST(Matrix, WhatWasNotRunInACaseIsNoFailure) {

@@ -21,15 +21,16 @@ struct ReportInput {
   std::map<std::string, std::string> metric_docs;  // metric name, also of the times -> its only definition
 };
 
-// A check of a case with what was measured; where several bodies or probes answer it, the one furthest from its bound.
+// A check of a case with what was measured; where several bodies or probes answer it, one that fails before one that is
+// not decidable before one that holds, and of those the one furthest outside its bound.
 // A check names no integrator: runs in closed form answer it, or all where a method was not run in closed form.
 struct CheckResult {
   std::string case_name, profile;
   Check check;
   double value = 0, error_bar = 0;
   bool measured = false;      // false where no usable record answers it: `status` says what the record says, if any
-  bool holds = false;         // measured, decidable and within its bound
-  bool decidable = true;      // false: the bound lies below the error bar and the value too near to tell
+  bool holds = false;         // measured, and within its bound by the error bar or more
+  bool decidable = true;      // false: the bound lies within the error bar of the value
   std::string status = "ok";  // of the record; "no record" where there is none
 };
 // A check of a table: the row furthest from its bound; a cell that is no number leaves it unmeasured.
@@ -40,15 +41,17 @@ std::string subject_of(const Check& check);  // "displacement-error", "table fre
 // For one reduced run: the cheapest full-order contender whose error is at most the reduced run's, by the same metric.
 // No interpolation between runs. Errors below their bar count as the bar. rival empty: none reached that error. The
 // near miss is the most exact of the full-order contenders that are cheaper than the rival: all of them miss that
-// error. Where cost rises with accuracy, a contender of exactly that error would cost something between the two.
+// error. Between these two neighbours of the sweep cost is expected to rise with accuracy; what a finer or wider sweep
+// would find is not known. Times of other machines than the one that took most of the case's are not compared.
 struct SpeedUp {
   Record error, time;             // of the reduced run
   std::vector<Record> rival;      // {} or {error, time} of the cheapest full-order contender
   std::vector<Record> near_miss;  // {} or {error, time}; {} where no rival
   double ratio = 0;               // [-] rival time / time; 0 where no rival
   double miss_ratio = 0;          // [-] near miss's time / time; 0 where no near miss
-  double ratio_low = 0;           // [-] from the spreads of both times; NaN where one is a single run's, without spread
+  double ratio_low = 0;           // [-] by range_of both times (times.h); NaN where one is a single run's
   double ratio_high = 0;          // [-] likewise
+  std::string edge = {};          // of its integrator's sweep where the rival stands: "largest time step"; "" inside
 };
 std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::string& metric);
 
@@ -56,7 +59,8 @@ std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::st
 bool page_available();
 
 // Writes report.md, data/*.csv, data/results.jsonl, tables/*.tex, figures/*.vl.json and, where the browser part was
-// built, report.html below `directory`. Returns the files written. Throws std::runtime_error on a failed write.
+// built, report.html below `directory`, in the place of a report that stands there (publish.h). Returns the files
+// written. Throws std::runtime_error on a failed write: the report before is then left as it was.
 std::vector<std::filesystem::path> write_report(const ReportInput& input, const std::filesystem::path& directory);
 
 }  // namespace mb

@@ -107,6 +107,23 @@ TEST(FindingFigures, AreDrawnOfTheColumnsTheyNeedAndElseNotAtAll) {
   }
 }
 
+TEST(FindingFigures, AxesHaveTheUnitsOfTheirColumns) {
+  for (const Finding& finding : synthetic::findings("shear")) {
+    if (finding.name != "mode-amplitudes" && finding.name != "damping") continue;
+    const Json encoding = finding_figures(finding).at(0).specification["layer"][0]["encoding"];
+    EXPECT_EQ(encoding["y"]["title"],
+              finding.name == "damping" ? "damping ratio [-]" : "largest modal displacement [m kg^1/2]");
+    EXPECT_EQ(encoding["x"]["title"], "frequency [Hz]");
+  }
+}
+
+TEST(FindingFigures, LabelsOfTheBudgetStandOnTwoLines) {
+  const Json specification = finding_figures(synthetic::budget("shear"))[0].specification;
+  EXPECT_EQ(specification["data"]["values"][0]["contender"],
+            "static-correction, r = 4\ncentral-difference, step 0.001 s");
+  EXPECT_THAT(to_line(specification), HasSubstr("split(datum.label, '\\\\n')"));
+}
+
 TEST(FindingFigures, TheBudgetLeavesOutTheTotalAndWhatIsNotMeasured) {
   const Json data = finding_figures(synthetic::budget("shear"))[0].specification["data"]["values"];
   EXPECT_EQ(data.size(), 12u);  // four contenders, three parts

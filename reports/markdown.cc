@@ -42,12 +42,6 @@ std::string markdown_text(std::string_view text) {
   return result;
 }
 
-std::string markdown_code(std::string_view text) {
-  std::string clean;
-  for (const char c : text) clean += is_control(c) ? ' ' : c == '`' ? '\'' : c;
-  return "`" + clean + "`";
-}
-
 std::string markdown(const Sheet& table) {
   std::vector<std::string> names, rules;
   for (const Column& column : table.columns) {

@@ -1,6 +1,8 @@
 #include "reports/markdown_report.h"
 
 #include "reports/claims.h"
+#include "reports/definitions.h"
+#include "reports/environment.h"
 #include "reports/findings.h"
 #include "reports/matrix.h"
 #include "reports/number.h"
@@ -60,14 +62,6 @@ std::string definitions_section(const Evaluation& evaluation) {
   return text + "\n";
 }
 
-std::string environment_section(const Evaluation& evaluation) {
-  std::string text = "## Environment\n\n| what | value |\n| --- | --- |\n";
-  for (const auto& [key, value] : evaluation.input.environment) {
-    text += "| " + markdown_text(key) + " | " + markdown_text(value) + " |\n";
-  }
-  return text + "\n";
-}
-
 // Indented, not fenced: nothing in a command can end the block.
 std::string reproduce_section(const Evaluation& evaluation) {
   std::string text = "## To reproduce\n\n";
@@ -101,7 +95,8 @@ std::string markdown_report(const Evaluation& evaluation) {
   if (const Sheet failures = failures_table(evaluation); !failures.rows.empty()) {
     text += section(failures, "Failures", "");
   }
-  text += cases_section(evaluation) + definitions_section(evaluation) + environment_section(evaluation);
+  text += cases_section(evaluation) + definitions_section(evaluation);
+  text += section(environment_table(evaluation), "Environment", "Nothing is known of it.");
   return text + reproduce_section(evaluation);
 }
 

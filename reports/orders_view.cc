@@ -10,12 +10,6 @@
 namespace mb {
 namespace {
 
-// Smaller is finer; of what a step or a tolerance is not set for: 0.
-double accuracy(const Contender& c) {
-  if (c.settings.time_step > 0) return c.settings.time_step;
-  return takes_tolerance(c) ? c.settings.relative_tolerance : 0;
-}
-
 using Family = std::tuple<std::string, std::string, std::string, std::string>;  // case, profile, method, integrator
 Family family(const Run& run) { return {run.case_name, run.profile, run.contender.method, run.contender.integrator}; }
 
@@ -152,10 +146,6 @@ std::vector<Curve> curves(const Evaluation& evaluation) {
     if (curve.runs.size() >= 3) all.push_back(fitted(std::move(curve), closed_form));
   }
   return all;
-}
-
-std::string describe(const ObservedOrder& o) {
-  return std::isnan(o.order) ? "none" : format_number(o.order) + " ± " + format_number(o.standard_error, 1);
 }
 
 Sheet orders_table(const std::vector<Curve>& all) {

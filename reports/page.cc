@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "reports/claims.h"
+#include "reports/definitions.h"
+#include "reports/environment.h"
 #include "reports/figures.h"
 #include "reports/findings.h"
 #include "reports/matrix.h"
@@ -201,21 +203,15 @@ Json page_json(const Evaluation& evaluation) {
   for (const Explanation& one : definitions(evaluation)) terms.push_back(Json::array({one.term, one.text}));
   Json tables = Json::object();
   const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
-  for (const Sheet& table :
-       {contenders_table(evaluation), matrix_table(evaluation), orders_table(curves(evaluation)),
-        speed_up_table(evaluation, front), phases_table(evaluation, front), claims_table(evaluation),
-        checks_table(evaluation), probes_table(evaluation), failures_table(evaluation)}) {
+  for (const Sheet& table : {contenders_table(evaluation), matrix_table(evaluation), orders_table(curves(evaluation)),
+                             speed_up_table(evaluation, front), phases_table(evaluation, front),
+                             claims_table(evaluation), checks_table(evaluation), probes_table(evaluation),
+                             failures_table(evaluation), environment_table(evaluation)}) {
     tables[table.name] = table_json(table);
   }
-  return {{"schema", 1},
-          {"verdict", verdict_json(verdict_of(evaluation))},
-          {"environment", evaluation.input.environment},
-          {"cases", cases_json(evaluation)},
-          {"tables", tables},
-          {"findings", findings_json(evaluation)},
-          {"plots", plots_json(evaluation)},
-          {"definitions", terms},
-          {"commands", reproducing_commands(evaluation)}};
+  return {{"schema", 1},          {"verdict", verdict_json(verdict_of(evaluation))}, {"cases", cases_json(evaluation)},
+          {"tables", tables},     {"findings", findings_json(evaluation)},           {"plots", plots_json(evaluation)},
+          {"definitions", terms}, {"commands", reproducing_commands(evaluation)}};
 }
 
 std::string page(const Evaluation& evaluation, std::string_view page_template) {

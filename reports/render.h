@@ -11,7 +11,6 @@ namespace mb {
 
 // GitHub-flavoured Markdown.
 std::string markdown_text(std::string_view text);  // for a cell, a heading or a paragraph
-std::string markdown_code(std::string_view text);  // as inline code, where escapes do not work
 std::string markdown(const Sheet& table);          // without its title
 
 // RFC 4180 with \n; numbers at full precision; error columns are followed by their bar and status. Text that begins

@@ -47,6 +47,15 @@ TEST(Numbers, FailedRecordsShowTheirStatusAndNoNumber) {
   EXPECT_EQ(record_cell(&record).status, "not_finite");
 }
 
+TEST(Numbers, PerturbedTimesSayIt) {
+  Record time = synthetic::seconds("online-time", 0.5, synthetic::reduced("eigenmodes", 8));
+  EXPECT_EQ(record_cell(&time).text, "0.50");
+  time.provenance["busy"] = "0.7";
+  EXPECT_EQ(record_cell(&time).text, "0.50, perturbed");
+  EXPECT_EQ(record_cell(&time).status, "perturbed");
+  EXPECT_EQ(record_cell(&time).value, 0.5);
+}
+
 TEST(Markdown, TextStaysText) {
   EXPECT_EQ(markdown_text("a|b"), "a\\|b");
   EXPECT_EQ(markdown_text("`x`"), "\\`x\\`");

@@ -1,17 +1,14 @@
-// Files of a report. A file that cannot be written is an exception that names it, never a shorter report.
-#include <cerrno>
-#include <fstream>
-#include <stdexcept>
-#include <system_error>
-
+// What files a report has.
 #include "cases/json/record_json.h"
 #include "reports/claims.h"
+#include "reports/environment.h"
 #include "reports/figures.h"
 #include "reports/findings.h"
 #include "reports/markdown_report.h"
 #include "reports/matrix.h"
 #include "reports/orders.h"
 #include "reports/page.h"
+#include "reports/publish.h"
 #include "reports/render.h"
 #include "reports/speedup.h"
 #include "reports/verdict.h"
@@ -19,19 +16,12 @@
 namespace mb {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct File {
-  fs::path path;
-  std::string text;
-};  // path relative to the report's directory
-
 std::vector<Sheet> all_tables(const Evaluation& evaluation) {
   const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
   return {checks_table(evaluation),        matrix_table(evaluation),         reduced_table(evaluation),
           rivals_table(evaluation),        orders_table(curves(evaluation)), speed_up_table(evaluation, front),
           phases_table(evaluation, front), claims_table(evaluation),         probes_table(evaluation),
-          failures_table(evaluation)};
+          failures_table(evaluation),      environment_table(evaluation)};
 }
 
 // Keys of a table that are spelled out in the titles of its parts: case, profile, truth.
@@ -47,7 +37,7 @@ std::string record_lines(const std::vector<Record>& records) {
   return text;
 }
 
-void add_findings(std::vector<File>& files, const Evaluation& evaluation) {
+void add_findings(std::vector<ReportFile>& files, const Evaluation& evaluation) {
   for (const Finding& finding : evaluation.input.findings) {
     const std::string stem = file_stem(evaluation, finding);
     const Sheet table = sheet_of(finding);
@@ -60,11 +50,11 @@ void add_findings(std::vector<File>& files, const Evaluation& evaluation) {
   }
 }
 
-std::vector<File> compose(const Evaluation& evaluation) {
-  std::vector<File> files = {{"report.md", markdown_report(evaluation)},
-                             {"data/results.jsonl", record_lines(evaluation.input.records)},
-                             {"data/records.csv", csv(records_table(evaluation))},
-                             {"data/speed-up-all.csv", csv(speed_up_table(evaluation, evaluation.speed_ups))}};
+std::vector<ReportFile> compose(const Evaluation& evaluation) {
+  std::vector<ReportFile> files = {{"report.md", markdown_report(evaluation)},
+                                   {"data/results.jsonl", record_lines(evaluation.input.records)},
+                                   {"data/records.csv", csv(records_table(evaluation))},
+                                   {"data/speed-up-all.csv", csv(speed_up_table(evaluation, evaluation.speed_ups))}};
   for (const Sheet& table : all_tables(evaluation)) {
     files.push_back({"data/" + table.name + ".csv", csv(table)});
     files.push_back({"tables/" + table.name + ".tex", latex_parts(table)});
@@ -80,31 +70,12 @@ std::vector<File> compose(const Evaluation& evaluation) {
   return files;
 }
 
-void write(const fs::path& path, const std::string& text) {
-  std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  if (error) throw std::runtime_error("cannot make " + path.parent_path().string() + ": " + error.message());
-  errno = 0;
-  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  if (!stream) {
-    const std::string reason = errno ? std::generic_category().message(errno) : std::string("write failed");
-    throw std::runtime_error("cannot write " + path.string() + ": " + reason);
-  }
-}
-
 }  // namespace
 
 bool page_available() { return !page_template().empty(); }
 
-std::vector<fs::path> write_report(const ReportInput& input, const fs::path& directory) {
-  std::vector<fs::path> written;
-  for (const File& file : compose(evaluate(input))) {
-    written.push_back(directory / file.path);
-    write(written.back(), file.text);
-  }
-  return written;
+std::vector<std::filesystem::path> write_report(const ReportInput& input, const std::filesystem::path& directory) {
+  return publish(compose(evaluate(input)), directory);
 }
 
 }  // namespace mb

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cases/json/record_json.h"
+#include "reports/definitions.h"
 #include "reports/figures.h"
 #include "reports/synthetic.h"
 #include "reports/verdict.h"

@@ -5,6 +5,8 @@
 #include <tuple>
 
 #include "reports/number.h"
+#include "reports/times.h"
+#include "reports/words.h"
 
 namespace mb {
 namespace {
@@ -30,12 +32,19 @@ Place<const std::string&, const std::vector<int>&> order(const std::string& case
 
 const std::string none;
 
-// Empty parts leave no comma.
-std::string joined(const std::string& a, const std::string& b) { return a.empty() || b.empty() ? a + b : a + ", " + b; }
+std::optional<Record> Run::*part_of(const std::string& metric) {
+  static const std::map<std::string, std::optional<Record> Run::*> parts = {{"online-time", &Run::online},
+                                                                            {"offline-time", &Run::offline},
+                                                                            {"stepping-time", &Run::stepping},
+                                                                            {"assembly-time", &Run::assembly}};
+  const auto entry = parts.find(metric);
+  return entry == parts.end() ? nullptr : entry->second;
+}
 
 }  // namespace
 
 std::vector<Run> group_runs(const std::vector<Record>& records) {
+  const std::map<CaseProfile, Machine> machines = machines_compared(records);
   std::map<OwnPlace, Run> found;
   for (const Record& record : records) {
     if (is_of_truth(record)) continue;
@@ -45,10 +54,9 @@ std::vector<Run> group_runs(const std::vector<Record>& records) {
     run.contender = record.contender;
     run.modes_used = std::max(run.modes_used, record.modes_used);
     run.n_unknowns = std::max(run.n_unknowns, record.n_unknowns);
-    if (record.metric == "online-time") {
-      run.online = record;
-    } else if (record.metric == "offline-time") {
-      run.offline = record;
+    if (is_time(record)) {
+      const bool compared = machine_of(record) == machines.at({record.case_name, record.profile});
+      if (const auto part = part_of(record.metric); part && compared) run.*part = record;
     } else if (is_mark(record)) {
       run.measures.insert_or_assign(Measure{record.metric, record.subject, record.truth}, record);
     }
@@ -79,6 +87,11 @@ bool takes_tolerance(const Contender& contender) {
   return contender.integrator != "exact" && !(contender.settings.time_step > 0);
 }
 
+double accuracy(const Contender& contender) {
+  if (contender.settings.time_step > 0) return contender.settings.time_step;
+  return takes_tolerance(contender) ? contender.settings.relative_tolerance : 0;
+}
+
 bool is_of_truth(const Record& record) { return record.metric.starts_with("truth-"); }
 
 bool is_mark(const Record& record) { return !record.truth.empty() && !is_of_truth(record); }
@@ -91,6 +104,12 @@ bool is_undefined(const Record& record) { return record.status.starts_with("unde
 
 double counted_error(const Record& record) { return std::max(std::abs(record.value), record.error_bar.value_or(0)); }
 
+double largest_error(const Record& record) { return std::abs(record.value) + record.error_bar.value_or(0); }
+
+double smallest_error(const Record& record) {
+  return std::max(0.0, std::abs(record.value) - record.error_bar.value_or(0));
+}
+
 std::string reason(const Record& record) {
   static const std::string prefix = "failed: ";
   if (record.status == "ok") return "not_finite";
@@ -98,14 +117,14 @@ std::string reason(const Record& record) {
 }
 
 std::string describe(const Contender& contender) {
-  return joined(describe_family(contender), describe_setting(contender));
+  return joined({describe_family(contender), describe_setting(contender)}, ", ");
 }
 
 std::string describe_family(const Contender& contender) {
   const std::string mesh = to_string(contender.resolution);
   if (contender.method == "full-order") return mesh + ", " + contender.integrator;
   if (!is_reduced(contender)) return contender.method + " " + mesh + ", " + contender.integrator;
-  return joined(contender.method, contender.integrator == "exact" ? "" : contender.integrator);
+  return joined({contender.method, contender.integrator == "exact" ? "" : contender.integrator}, ", ");
 }
 
 std::string describe_size(const Contender& contender) {
@@ -120,7 +139,7 @@ std::string describe_accuracy(const Contender& contender) {
 }
 
 std::string describe_setting(const Contender& contender) {
-  return joined(is_reduced(contender) ? describe_size(contender) : "", describe_accuracy(contender));
+  return joined({is_reduced(contender) ? describe_size(contender) : "", describe_accuracy(contender)}, ", ");
 }
 
 std::string describe_series(const Contender& contender) {

@@ -21,10 +21,11 @@ struct Measure {
 struct Run {
   std::string case_name, profile;
   Contender contender;
-  int modes_used = -1;                    // elastic modes; -1: full order
-  long n_unknowns = 0;                    // degrees of freedom stepped in time
-  std::map<Measure, Record> measures;     // all but the times
-  std::optional<Record> online, offline;  // [s]
+  int modes_used = -1;                       // elastic modes; -1: full order
+  long n_unknowns = 0;                       // degrees of freedom stepped in time
+  std::map<Measure, Record> measures;        // all but the times
+  std::optional<Record> online, offline;     // [s]; these four on the machine whose times are compared (times.h)
+  std::optional<Record> stepping, assembly;  // [s] parts of online and offline
 };
 
 // One entry a contender, a case and a profile; a later record of the same measure replaces an earlier one. Records of a
@@ -39,12 +40,17 @@ bool precedes(const Contender& a, const Contender& b);  // the order of group_ru
 bool is_reduced(const Contender& contender);       // not of full order; the identity basis "full" is of full order too
 bool takes_modes(const Contender& contender);      // whether its settings.modes means anything
 bool takes_tolerance(const Contender& contender);  // neither closed form nor fixed steps
+double accuracy(const Contender& contender);       // time step [s] or tolerance [-], smaller is finer; 0 where neither
 bool is_of_truth(const Record& record);            // says something of a truth alone: its metric is named truth-...
 bool is_mark(const Record& record);                // a contender against a truth, unlike times, load errors, truth-...
 bool is_usable(const Record& record);              // status ok and a finite value
 bool is_unstable(const Record& record);            // an explicit integrator beyond its step limit: a result
 bool is_undefined(const Record& record);           // the metric has no meaning here: no fault of the contender
-double counted_error(const Record& record);        // |value|, or the error bar where that is larger
+double counted_error(const Record& record);        // |value|, or the error bar where that is larger: to compare runs
+
+// What the error is at most and at least, as far as its bar can tell: to compare it with a bound.
+double largest_error(const Record& record);   // |value| + bar
+double smallest_error(const Record& record);  // |value| - bar, or 0
 
 // "too_many_steps"; of "failed: no such cell" what follows the colon; "not_finite" where an ok record has no value.
 std::string reason(const Record& record);

@@ -5,6 +5,7 @@
 
 #include "reports/number.h"
 #include "reports/runs.h"
+#include "reports/times.h"
 
 namespace mb {
 namespace {
@@ -21,6 +22,14 @@ Sheet without_columns(const Sheet& table, const std::vector<bool>& keep) {
     }
   }
   return result;
+}
+
+Sheet without_empty_columns(const Sheet& table) {
+  std::vector<bool> keep(table.columns.size(), false);
+  for (const auto& row : table.rows) {
+    for (std::size_t j = 0; j < row.size(); ++j) keep[j] = keep[j] || !row[j].text.empty();
+  }
+  return without_columns(table, keep);
 }
 
 std::string bars(const Sheet& table) {
@@ -51,18 +60,14 @@ Cell record_cell(const Record* record) {
   Cell cell{.text = format_record(*record), .value = {}, .bar = record->error_bar, .status = record->status};
   if (is_usable(*record)) {
     cell.value = record->value;
+    if (is_time(*record) && is_perturbed(*record)) {
+      cell.text += ", perturbed";
+      cell.status = "perturbed";
+    }
   } else if (cell.status == "ok") {
     cell.status = "not_finite";
   }
   return cell;
-}
-
-Sheet without_empty_columns(const Sheet& table) {
-  std::vector<bool> keep(table.columns.size(), false);
-  for (const auto& row : table.rows) {
-    for (std::size_t j = 0; j < row.size(); ++j) keep[j] = keep[j] || !row[j].text.empty();
-  }
-  return without_columns(table, keep);
 }
 
 std::vector<Sheet> split(const Sheet& table) {

@@ -36,10 +36,9 @@ Cell text_cell(std::string text);
 Cell count_cell(long value);
 Cell number_cell(std::optional<double> value);  // "" where none
 Cell setting_cell(double value);                // all digits that were chosen
-Cell record_cell(const Record* record);         // "" where none, "failed (...)" where its status is not ok
 
-// Without the columns that are empty in every row.
-Sheet without_empty_columns(const Sheet& table);
+// "" where none, "failed (...)" where its status is not ok, "0.12, perturbed" of such a time: its status then, too.
+Cell record_cell(const Record* record);
 
 // One table for every combination of the leading keys, which move into the title; the largest error bar of every error
 // column moves into the note.

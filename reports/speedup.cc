@@ -7,7 +7,11 @@
 #include <limits>
 #include <tuple>
 
+#include "reports/number.h"
 #include "reports/runs.h"
+#include "reports/sweep.h"
+#include "reports/times.h"
+#include "reports/words.h"
 
 namespace mb {
 namespace {
@@ -51,17 +55,17 @@ struct Range {
 Range ratio_range(const Record& time, const Record& slow) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   if (!time.error_bar || !slow.error_bar) return {nan, nan};
-  const double t = time.value, spread = *time.error_bar;
-  return {std::max(0.0, slow.value - *slow.error_bar) / (t + spread),
-          spread < t ? (slow.value + *slow.error_bar) / (t - spread) : infinity};
+  const TimeRange own = range_of(time), other = range_of(slow);
+  return {other.low / own.high, own.low > 0 ? other.high / own.low : infinity};
 }
 
-SpeedUp against(const Candidate& reduced, const std::vector<Candidate>& candidates) {
+SpeedUp against(const Candidate& reduced, const std::vector<Candidate>& candidates, const Sweeps& sweeps) {
   SpeedUp result{.error = *reduced.error, .time = *reduced.run->online, .rival = {}, .near_miss = {}};
   const Candidate* rival = rival_of(reduced, candidates);
   if (!rival) return result;
   result.rival = {*rival->error, *rival->run->online};
   result.ratio = rival->run->online->value / result.time.value;
+  result.edge = edge_of(sweeps, *rival->run);
   const Range range = ratio_range(result.time, result.rival[1]);
   result.ratio_low = range.low;
   result.ratio_high = range.high;
@@ -86,9 +90,10 @@ std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::st
       side[{run.case_name, run.profile, measure}].push_back({&run, &record});
     }
   }
+  const Sweeps sweeps = full_order_sweeps(runs);
   std::vector<SpeedUp> results;
   for (const auto& [key, candidates] : reduced) {
-    for (const Candidate& candidate : candidates) results.push_back(against(candidate, rivals[key]));
+    for (const Candidate& candidate : candidates) results.push_back(against(candidate, rivals[key], sweeps));
   }
   return results;
 }
@@ -121,7 +126,7 @@ std::vector<SpeedUp> on_front(const std::vector<SpeedUp>& all) {
 std::vector<SpeedUp> cheapest_within(const std::vector<SpeedUp>& all, const std::string& truth, double target) {
   std::map<std::pair<std::string, std::string>, SpeedUp> best;  // by case and profile
   for (const SpeedUp& candidate : all) {
-    if (candidate.error.truth != truth || counted_error(candidate.error) > target) continue;
+    if (candidate.error.truth != truth || largest_error(candidate.error) > target) continue;
     const auto [entry, inserted] = best.try_emplace({candidate.error.case_name, candidate.error.profile}, candidate);
     if (!inserted && candidate.time.value < entry->second.time.value) entry->second = candidate;
   }
@@ -141,8 +146,43 @@ double real_time_factor(const Record& time, double simulated_seconds) { return s
 bool is_within_noise(const SpeedUp& one) {
   constexpr double single_run = 1.2;  // what one run may be off by: another run of it, a busy machine
   if (one.rival.empty()) return false;
-  if (std::isnan(one.ratio_low)) return one.ratio < single_run && one.ratio > 1 / single_run;
+  if (std::isnan(one.ratio_low)) {
+    return one.ratio * busy_share(one.rival[1]) < single_run && one.ratio > busy_share(one.time) / single_run;
+  }
   return one.ratio_low <= 1 && one.ratio_high >= 1;
+}
+
+bool has_perturbed_time(const SpeedUp& one) {
+  const auto perturbed = [](const std::vector<Record>& side) { return !side.empty() && is_perturbed(side[1]); };
+  return is_perturbed(one.time) || perturbed(one.rival) || perturbed(one.near_miss);
+}
+
+bool stands_at_edge(const SpeedUp& one) { return !one.edge.empty(); }
+
+std::string cases_where(const std::vector<SpeedUp>& all, bool (*is_so)(const SpeedUp&)) {
+  std::vector<std::string> names;
+  for (const SpeedUp& one : all) {
+    if (is_so(one)) names.push_back(one.error.case_name);
+  }
+  return listed(names);
+}
+
+double least_ratio(const SpeedUp& one) {
+  const bool missed = !one.near_miss.empty();
+  const double least = busy_share(missed ? one.near_miss[1] : one.rival.at(1)) * (missed ? one.miss_ratio : one.ratio);
+  return std::isnan(one.ratio_low) ? least : std::min(least, one.ratio_low);
+}
+
+std::vector<std::string> limits_of(const SpeedUp& one) {
+  std::vector<std::string> limits;
+  const auto add_perturbed = [&](const char* side, const Record& time) {
+    if (is_perturbed(time)) limits.push_back(side + (" perturbed (busy " + format_number(busy_share(time), 2) + ")"));
+  };
+  add_perturbed("run", one.time);
+  if (!one.rival.empty()) add_perturbed("rival", one.rival[1]);
+  if (!one.near_miss.empty()) add_perturbed("near miss", one.near_miss[1]);
+  if (!one.edge.empty()) limits.push_back("rival at the edge of its sweep: " + one.edge);
+  return limits;
 }
 
 std::optional<double> median_ratio(const std::vector<SpeedUp>& all) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "reports/content.h"
 
@@ -13,7 +15,8 @@ std::vector<SpeedUp> of_norm(const std::vector<SpeedUp>& all, const std::string&
 // whose time has no spread counts like the others.
 std::vector<SpeedUp> on_front(const std::vector<SpeedUp>& all);
 
-// Of every case and profile the cheapest reduced run whose counted error against `truth` is at most `target` [-].
+// Of every case and profile the cheapest reduced run whose error against `truth`, error bar included, is at most
+// `target` [-].
 std::vector<SpeedUp> cheapest_within(const std::vector<SpeedUp>& all, const std::string& truth, double target);
 
 // [-] >= 1: counted error of the reduced run over its rival's, infinite where the latter is 0. Contenders are steps and
@@ -23,9 +26,22 @@ double rival_margin(const SpeedUp& one);
 // [-] simulated seconds per computing second: 1 is real time.
 double real_time_factor(const Record& time, double simulated_seconds);
 
-// Whether the spreads of both times leave open which is the faster; true where one is a single run's without spread and
-// the times differ by less than a factor 1.2.
+// Whether the ranges of both times leave open which is the faster; true where one is a single run's without spread and
+// the times differ by less than a factor 1.2, and what perturbed them.
 bool is_within_noise(const SpeedUp& one);
+
+bool has_perturbed_time(const SpeedUp& one);  // of the run, its rival or the near miss
+
+bool stands_at_edge(const SpeedUp& one);  // its rival, of the full-order sweep
+
+std::string cases_where(const std::vector<SpeedUp>& all, bool (*is_so)(const SpeedUp&));  // names, "a, b"
+
+// [-] the least that the measurements leave of the ratio: the miss speed-up where there is a near miss, or the low end
+// of the range where that is less. Needs a rival.
+double least_ratio(const SpeedUp& one);
+
+// What a reader has to know of it: "rival perturbed (busy 0.62)", "rival at the edge of its sweep: coarsest mesh".
+std::vector<std::string> limits_of(const SpeedUp& one);
 
 // Median over those that have a rival; none where no run has one.
 std::optional<double> median_ratio(const std::vector<SpeedUp>& all);

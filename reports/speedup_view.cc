@@ -1,9 +1,11 @@
-// The tables of what was won: times at equal error, and what they are made of.
+// The table of what was won: times at equal error.
 #include <cmath>
 
 #include "reports/number.h"
 #include "reports/speedup.h"
+#include "reports/speedup_columns.h"
 #include "reports/views.h"
+#include "reports/words.h"
 
 namespace mb {
 namespace {
@@ -34,26 +36,10 @@ Cell real_time_cell(const Evaluation& evaluation, const SpeedUp& one, const Reco
   return duration ? number_cell(real_time_factor(time, *duration)) : text_cell("unknown");
 }
 
-std::vector<Cell> key_cells(const SpeedUp& one) {
-  const Record& e = one.error;
-  return {text_cell(e.case_name),
-          text_cell(e.profile),
-          text_cell(e.truth),
-          text_cell(e.metric),
-          text_cell(e.subject),
-          text_cell(e.contender.method),
-          text_cell(e.contender.integrator),
-          takes_modes(e.contender) ? count_cell(e.contender.settings.modes) : text_cell(""),
-          text_cell(describe_accuracy(e.contender))};
-}
-
-std::vector<Column> key_columns() {
-  return {{"case", ""},   {"profile", ""},    {"truth", ""},           {"norm", ""},    {"body", ""},
-          {"method", ""}, {"integrator", ""}, {"r", "", Kind::number}, {"steps of", ""}};
-}
-
-void append(std::vector<Cell>& row, std::vector<Cell> cells) {
-  for (Cell& cell : cells) row.push_back(std::move(cell));
+// The method's name where the mesh steps in another basis than its own nodes: "full Q2 1x4, step 0.001 s".
+std::string rival_label(const Contender& rival) {
+  const std::string method = rival.method == "full-order" ? "" : rival.method + " ";
+  return joined({method + describe_size(rival), describe_accuracy(rival)}, ", ");
 }
 
 std::vector<Cell> rival_cells(const Evaluation& evaluation, const SpeedUp& one) {
@@ -64,8 +50,7 @@ std::vector<Cell> rival_cells(const Evaluation& evaluation, const SpeedUp& one) 
     return cells;
   }
   const Contender& rival = one.rival[0].contender;
-  const std::string steps = describe_accuracy(rival);
-  return {text_cell(describe_size(rival) + (steps.empty() ? "" : ", " + steps)),
+  return {text_cell(rival_label(rival)),
           text_cell(rival.integrator),
           record_cell(&one.rival[0]),
           margin_cell(one),
@@ -84,7 +69,7 @@ std::vector<Cell> near_miss_cells(const SpeedUp& one) {
 }
 
 std::vector<Column> speed_up_columns() {
-  std::vector<Column> columns = key_columns();
+  std::vector<Column> columns = speed_up_key_columns();
   for (const Column& column : std::vector<Column>{{"error", "-", Kind::error},
                                                   {"online time", "s", Kind::time},
                                                   {"real-time factor", "-", Kind::number},
@@ -99,17 +84,11 @@ std::vector<Column> speed_up_columns() {
                                                   {"break-even", "s", Kind::number},
                                                   {"near miss", ""},
                                                   {"miss error", "-", Kind::error},
-                                                  {"miss speed-up", "-", Kind::number}}) {
+                                                  {"miss speed-up", "-", Kind::number},
+                                                  {"limits", ""}}) {
     columns.push_back(column);
   }
   return columns;
-}
-
-// Offline and online times and the work of one side.
-std::vector<Cell> phase_cells(const Run* run, const Record& error, const Record& time) {
-  const Work& work = error.work;
-  return {record_cell(offline_of(run)), record_cell(&time), count_cell(work.steps), count_cell(work.solves),
-          count_cell(work.factorisations)};
 }
 
 }  // namespace
@@ -124,6 +103,7 @@ Cell ratio_cell(const SpeedUp& one) {
     text += " (" + format_number(one.ratio_low) + " to " + high + ")";
   }
   if (is_within_noise(one)) text += ", within noise";
+  if (has_perturbed_time(one)) text += ", perturbed";
   return {.text = text, .value = one.ratio};
 }
 
@@ -140,44 +120,20 @@ Sheet speed_up_table(const Evaluation& evaluation, const std::vector<SpeedUp>& s
               .title = "Speed-up at equal error",
               .note =
                   "Reduced runs that no other reduced run beats in both error and time. The rival is the cheapest "
-                  "full-order contender at least as exact. Ratio with the range that the spreads of both times "
-                  "allow; at exactly equal error it lies between miss speed-up and speed-up. Within noise: the "
-                  "spreads leave open which is faster. Real-time factor in simulated seconds per computing second, "
-                  "break-even in simulated seconds. data/speed-up-all.csv has every reduced run.",
+                  "full-order contender at least as exact. Ratio with the range that both times allow: their "
+                  "spreads, and of perturbed ones what else had the core. Between rival and near miss, neighbours of "
+                  "this sweep, lies what exactly equal error costs, if cost rises with accuracy there; a finer or "
+                  "wider sweep may find less. Limits: times that were perturbed, rivals at the edge of their sweep. "
+                  "Within noise: the ranges leave open which is faster. Real-time factor in simulated seconds per "
+                  "computing second, break-even in simulated seconds. data/speed-up-all.csv has every reduced run.",
               .columns = speed_up_columns(),
               .rows = {}};
   for (const SpeedUp& one : shown) {
-    std::vector<Cell>& row = table.rows.emplace_back(key_cells(one));
+    std::vector<Cell>& row = table.rows.emplace_back(speed_up_key_cells(one));
     append(row, {record_cell(&one.error), record_cell(&one.time), real_time_cell(evaluation, one, one.time)});
     append(row, rival_cells(evaluation, one));
     append(row, near_miss_cells(one));
-  }
-  return table;
-}
-
-Sheet phases_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown) {
-  Sheet table{.name = "phases",
-              .title = "What the times are made of",
-              .note =
-                  "Of every pair in the table of speed-ups. Offline: assembly, factorisation, eigensolve, "
-                  "projection of the loads; online: stepping and reconstruction at the frame times. Work is counted "
-                  "over the run that was graded, at the sample times.",
-              .columns = key_columns(),
-              .rows = {}};
-  for (const std::string side : {"", "rival "}) {
-    if (!side.empty()) table.columns.push_back({"rival", ""});
-    table.columns.push_back({side + "offline", "s", Kind::time});
-    table.columns.push_back({side + "online", "s", Kind::time});
-    for (const char* count : {"steps", "solves", "factorisations"}) {
-      table.columns.push_back({side + count, "", Kind::number});
-    }
-  }
-  for (const SpeedUp& one : shown) {
-    if (one.rival.empty()) continue;
-    std::vector<Cell>& row = table.rows.emplace_back(key_cells(one));
-    append(row, phase_cells(run_of(evaluation, one.error), one.error, one.time));
-    append(row, {text_cell(describe(one.rival[0].contender))});
-    append(row, phase_cells(run_of(evaluation, one.rival[0]), one.rival[0], one.rival[1]));
+    row.push_back(text_cell(joined(limits_of(one), "; ")));
   }
   return table;
 }

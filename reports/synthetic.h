@@ -69,6 +69,8 @@ inline void grade(std::vector<Record>& records, const Contender& contender, doub
   }
   records.push_back(seconds("online-time", online, contender));
   records.push_back(seconds("offline-time", offline, contender));
+  records.push_back(seconds("stepping-time", 0.4 * online, contender));
+  records.push_back(seconds("assembly-time", 0.3 * offline, contender));
   for (std::size_t i = first; i < records.size(); ++i) {
     records[i].n_unknowns = n_unknowns;
     if (contender.method == "full-order" || contender.method == "full") continue;
@@ -124,6 +126,19 @@ inline void blow_up(std::vector<Record>& all) {
   }
 }
 
+// Times that something else disturbed, and times of another machine.
+inline void disturb(std::vector<Record>& all) {
+  for (Record& record : all) {
+    const Contender& contender = record.contender;
+    if (record.metric == "online-time" && contender.method == "static-correction" && contender.settings.modes == 8) {
+      record.provenance["busy"] = "0.8";
+    }
+    if (record.unit == "s" && contender.integrator == "sundials" && contender.settings.relative_tolerance == 1e-2) {
+      record.provenance["processor"] = "another processor";
+    }
+  }
+}
+
 inline std::vector<Record> records() {
   std::vector<Record> all;
   for (const int r : {0, 1, 2, 4, 8, 16, 32, 64, 128, 256}) {
@@ -143,6 +158,7 @@ inline std::vector<Record> records() {
   }
   step_reduced(all);
   blow_up(all);
+  disturb(all);
   return all;
 }
 
@@ -156,6 +172,13 @@ inline Scene scene() {
   scene.frame_rate = 60;
   scene.samples_per_second = 600;
   scene.profile = "quick";
+  scene.bodies = {{.name = "cylinder",
+                   .shape = Cylinder{.radius = 0.05, .length = 0.2},
+                   .material = {.youngs_modulus = 5e4, .poissons_ratio = 0.45, .density = 1000},
+                   .damping = {},
+                   .damping_ratios = {},
+                   .resolution = {4, {1, 4}},
+                   .supports = {}}};
   const auto check = [](const char* method, const char* metric, int modes, double at_most, const char* why) {
     Check one{};
     one.method = method;

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <set>
 
+#include "reports/environment.h"
 #include "reports/number.h"
 #include "reports/speedup.h"
+#include "reports/times.h"
+#include "reports/words.h"
 
 namespace mb {
 namespace {
-
-std::string counted(int n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
 
 void count_checks(const Evaluation& evaluation, Verdict& verdict) {
   std::set<std::string> cases, outside;
@@ -33,7 +32,7 @@ std::string checks_sentence(const Verdict& verdict) {
                      " within all checks: " + std::to_string(verdict.n_hold) + " of " +
                      counted(verdict.n_checks, "check holds", "checks hold");
   if (verdict.n_not_decidable) {
-    text += ", " + std::to_string(verdict.n_not_decidable) + " not decidable (bound below the error bar)";
+    text += ", " + std::to_string(verdict.n_not_decidable) + " not decidable (bound within the error bar)";
   }
   if (verdict.n_not_measured) text += ", " + std::to_string(verdict.n_not_measured) + " not measured";
   return text + ".";
@@ -54,7 +53,7 @@ std::string other_norms_sentence(const Evaluation& evaluation) {
     const auto pairs = at_target(evaluation, norm);
     const auto median = median_ratio(pairs);
     text += (text.empty() ? "" : ", ") + norm + " " + (median ? format_number(*median) : "none") + " (" +
-            counted(static_cast<int>(pairs.size()), "case", "cases") + " within the target)";
+            counted(pairs.size(), "case", "cases") + " within the target)";
   }
   return "Median speed-up at the same target in the other norms: " + text + ".";
 }
@@ -62,7 +61,7 @@ std::string other_norms_sentence(const Evaluation& evaluation) {
 std::string speed_up_sentence(const Verdict& verdict) {
   const std::string at =
       "at " + format_number(100 * error_target, 1) + " % displacement error against " + headline_truth;
-  if (verdict.at_target.empty()) return "Speed-up " + at + ": no reduced run reaches that error.";
+  if (verdict.at_target.empty()) return "Speed-up " + at + ": no reduced run is within that, error bar included.";
   std::string text = "Speed-up " + at + ": ";
   text += verdict.median ? "median " + format_number(*verdict.median) : std::string("none reached by any rival");
   for (const SpeedUp& one : verdict.at_target) {
@@ -71,6 +70,43 @@ std::string speed_up_sentence(const Verdict& verdict) {
     text += ")";
   }
   return text + ".";
+}
+
+// Cases where the truth's error bar leaves open whether any reduced run is within the target.
+std::vector<std::string> open_cases(const Evaluation& evaluation, const Verdict& verdict) {
+  std::set<std::string> names;
+  for (const SpeedUp& one : of_norm(evaluation.speed_ups, headline_metric)) {
+    const bool may_be = one.error.truth == headline_truth && smallest_error(one.error) <= error_target;
+    if (may_be) names.insert(one.error.case_name);
+  }
+  for (const SpeedUp& one : verdict.at_target) names.erase(one.error.case_name);
+  return {names.begin(), names.end()};
+}
+
+// "Limits of these speed-ups: ..."; "" where there are none.
+std::string limits_sentence(const Evaluation& evaluation, const Verdict& verdict) {
+  std::vector<std::string> limits;
+  if (verdict.n_perturbed > 0) {
+    limits.push_back(counted(verdict.n_perturbed, "rests", "rest") +
+                     " on perturbed times, during which something else had the core (" +
+                     cases_where(verdict.at_target, has_perturbed_time) + ")");
+  }
+  if (verdict.n_at_edge > 0) {
+    limits.push_back(counted(verdict.n_at_edge, "has its", "have their") +
+                     " rival at the edge of its sweep, beyond which a cheaper one may be (" +
+                     cases_where(verdict.at_target, stands_at_edge) + ")");
+  }
+  const std::vector<std::string> open = open_cases(evaluation, verdict);
+  if (!open.empty()) {
+    limits.push_back("the error bar of the truth leaves open whether any reduced run is within the target in " +
+                     counted(open.size(), "case", "cases") + " (" + listed(open) + ")");
+  }
+  const long n_left_out = count_times_left_out(evaluation.input.records);
+  if (n_left_out > 0) {
+    limits.push_back(counted(n_left_out, "time", "times") +
+                     " taken on another machine than most of the case left out of every comparison");
+  }
+  return limits.empty() ? "" : "Limits of these speed-ups: " + joined(limits, "; ") + ".";
 }
 
 // "14 runs failed. 14 runs: point ... lies in no cell: Q1 1x2, newmark, 7 runs from ..."
@@ -117,50 +153,6 @@ bool is_plain_word(const std::string& text) {
   return !text.empty() && text.size() <= 64 && text[0] != '-' && std::all_of(text.begin(), text.end(), is_plain);
 }
 
-// Words of this folder alone: metrics and times are defined where they are measured.
-constexpr std::pair<const char*, const char*> own_words[] = {
-    {"truth finer",
-     "A full-order answer of higher degree or on a finer mesh, integrated tightly: errors against it "
-     "hold truncation, time stepping and discretisation."},
-    {"truth same_mesh",
-     "A full-order answer with the contender's own M and K, integrated tightly: errors against it "
-     "hold truncation and time stepping alone."},
-    {"error bar",
-     "How far the truth itself may be off, by the same metric. An error below it prints as <= bar and "
-     "counts as the bar wherever errors are compared."},
-    {"r",
-     "Elastic modes asked for; rigid modes always stay. Modes of equal frequency are kept whole, so that the "
-     "number used may be larger: both are recorded."},
-    {"speed-up",
-     "Online time of the rival over the online time of the reduced run. The rival is the cheapest full-order "
-     "contender whose error is at most that of the reduced run; no interpolation between runs. None reached: no "
-     "full-order contender of the sweep reaches that error. Single run: one of the times has no spread, so that "
-     "the ratio has no range."},
-    {"margin",
-     "How much more exact the rival is: error of the reduced run over the rival's. Meshes and steps of the sweep "
-     "are coarse, so that the rival is always more exact than it need be, and the speed-up too large for exactly "
-     "equal error."},
-    {"near miss",
-     "The most exact of the full-order contenders that are cheaper than the rival: it just misses the error. Its "
-     "online time over that of the reduced run is the miss speed-up. Where cost rises with accuracy, the speed-up at "
-     "exactly equal error lies between miss speed-up and speed-up."},
-    {"break-even",
-     "Simulated seconds after which offline plus online time of the reduced run falls below that of "
-     "its rival: the difference of their offline times divided by what a simulated second gains; never where nothing "
-     "is "
-     "gained."},
-    {"real-time factor", "Simulated seconds per computing second, online: 1 keeps up with real time."},
-    {"within noise",
-     "The spreads of both times leave open which is faster; with a single run on either side, times within a factor "
-     "1.2."},
-    {"order",
-     "p of error ~ r^-p, step^p or tolerance^p, fitted over the points named in the table of orders; its standard "
-     "error "
-     "is that of the fit."},
-    {"check",
-     "A bound that the case file sets. It is not decidable where the bound lies below the error bar and the "
-     "measured value is nearer to it than that bar."}};
-
 }  // namespace
 
 std::vector<SpeedUp> at_target(const Evaluation& evaluation, const std::string& norm) {
@@ -186,8 +178,12 @@ Verdict verdict_of(const Evaluation& evaluation) {
   verdict.sentences.push_back(checks_sentence(verdict));
   verdict.at_target = at_target(evaluation, headline_metric);
   verdict.median = median_ratio(verdict.at_target);
+  verdict.n_perturbed = std::ranges::count_if(verdict.at_target, has_perturbed_time);
+  verdict.n_at_edge = std::ranges::count_if(verdict.at_target, stands_at_edge);
   if (!evaluation.input.records.empty()) {
     verdict.sentences.push_back(speed_up_sentence(verdict));
+    const std::string limits = limits_sentence(evaluation, verdict);
+    if (!limits.empty()) verdict.sentences.push_back(limits);
     verdict.sentences.push_back(other_norms_sentence(evaluation));
     verdict.n_failed_runs = count_runs(evaluation, is_failed);
     verdict.n_unstable_runs = count_runs(evaluation, is_unstable);
@@ -197,22 +193,17 @@ Verdict verdict_of(const Evaluation& evaluation) {
   return verdict;
 }
 
-std::vector<Explanation> definitions(const Evaluation& evaluation) {
-  std::vector<Explanation> all;
-  for (const auto& [metric, text] : evaluation.input.metric_docs) all.push_back({metric, text});
-  for (const auto& [term, text] : own_words) all.push_back({term, text});
-  return all;
-}
-
 std::vector<std::string> reproducing_commands(const Evaluation& evaluation) {
   std::vector<std::string> commands;
-  const auto& environment = evaluation.input.environment;
-  const auto commit = environment.find("commit");
-  if (commit != environment.end() && is_plain_word(commit->second)) {
+  const Commit commit = main_commit(evaluation);
+  if (is_plain_word(commit.name)) {
     static const std::string changed = "-dirty";
-    const bool dirty = commit->second.ends_with(changed);
-    const std::string name = commit->second.substr(0, commit->second.size() - (dirty ? changed.size() : 0));
-    commands.push_back("git checkout " + name + (dirty ? "  # and changes that were not committed" : ""));
+    const bool dirty = commit.name.ends_with(changed);
+    std::vector<std::string> remarks;
+    if (dirty) remarks.push_back("and changes that were not committed");
+    if (commit.n_others > 0) remarks.push_back("of " + std::to_string(commit.n_others) + " records another");
+    const std::string name = commit.name.substr(0, commit.name.size() - (dirty ? changed.size() : 0));
+    commands.push_back("git checkout " + name + (remarks.empty() ? "" : "  # " + joined(remarks, "; ")));
   }
   std::set<std::pair<std::string, std::string>> cases;
   for (const Record& record : evaluation.input.records) cases.insert({record.case_name, record.profile});

@@ -12,11 +12,12 @@ namespace mb {
 struct Verdict {
   int n_cases = 0, n_cases_within = 0;  // within: every check of the case holds
   int n_checks = 0, n_hold = 0, n_not_decidable = 0, n_not_measured = 0;
-  std::vector<SpeedUp> at_target;      // a case: its cheapest reduced run within the error target
-  std::optional<double> median;        // [-] speed-up over those that have a rival
-  int n_failed_runs = 0;               // runs with a measure that failed; undefined and unstable ones are none
-  int n_unstable_runs = 0;             // explicit integrators beyond their step limit
-  std::vector<std::string> sentences;  // plain text, untrusted names within
+  std::vector<SpeedUp> at_target;       // a case: its cheapest reduced run within the error target
+  std::optional<double> median;         // [-] speed-up over those that have a rival
+  long n_perturbed = 0, n_at_edge = 0;  // of at_target, by has_perturbed_time and stands_at_edge
+  int n_failed_runs = 0;                // runs with a measure that failed; undefined and unstable ones are none
+  int n_unstable_runs = 0;              // explicit integrators beyond their step limit
+  std::vector<std::string> sentences;   // plain text, untrusted names within
 };
 Verdict verdict_of(const Evaluation& evaluation);
 
@@ -25,12 +26,6 @@ Verdict verdict_of(const Evaluation& evaluation);
 std::vector<SpeedUp> at_target(const Evaluation& evaluation, const std::string& norm);
 
 std::vector<std::pair<std::string, SpeedUp>> headline_pairs(const Evaluation& evaluation);  // norm, pair; all norms
-
-struct Explanation {
-  std::string term, text;
-};
-std::vector<Explanation> definitions(
-    const Evaluation& evaluation);  // metrics that were given, then the report's own words
 
 std::vector<std::string> reproducing_commands(const Evaluation& evaluation);
 

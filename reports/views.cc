@@ -104,7 +104,7 @@ Cell measured_cell(const CheckResult& result) {
 
 std::string verdict(const CheckResult& result) {
   if (!result.measured) return result.status == "no record" ? "not measured" : "failed (" + result.status + ")";
-  if (!result.decidable) return "not decidable: the bound is below the error bar";
+  if (!result.decidable) return "not decidable: the bound is within the error bar";
   return result.holds ? "holds" : "does not hold";
 }
 
@@ -191,6 +191,13 @@ Sheet probes_table(const Evaluation& evaluation) {
 // Cells that name an answer: case, profile, truth, body, then the contender up to its settings (not its unknowns).
 constexpr std::size_t n_naming = 4 + 7;
 
+// Whether an error is within the target, as far as its bar can tell.
+Cell target_cell(const Cell& error) {
+  if (!error.value) return text_cell("");
+  const double value = std::abs(*error.value), bar = error.bar.value_or(0);
+  return text_cell(value + bar <= error_target ? "yes" : value - bar > error_target ? "no" : "open");
+}
+
 // What the page shows: every contender with its speed-up and whether it meets the target.
 Sheet contenders_table(const Evaluation& evaluation) {
   Sheet table = metric_table(evaluation, "contenders", "Contenders", false, [](const Contender&) { return true; });
@@ -204,9 +211,10 @@ Sheet contenders_table(const Evaluation& evaluation) {
     const Record& e = one.error;
     std::vector<Cell> cells = {text_cell(e.case_name), text_cell(e.profile), text_cell(e.truth), text_cell(e.subject)};
     for (Cell& cell : contender_cells(e.contender, e.modes_used, e.n_unknowns)) cells.push_back(std::move(cell));
-    ratios[key_of(cells)] = {
-        one.rival.empty() ? ratio_cell(one) : number_cell(one.ratio),  // its range stands in the table of speed-ups
-        margin_cell(one), miss_ratio_cell(one)};
+    Cell ratio = ratio_cell(one);
+    if (!one.rival.empty()) ratio.text = format_number(one.ratio);  // range and limits stand in the table of speed-ups
+    if (has_perturbed_time(one)) ratio.text += ", perturbed";
+    ratios[key_of(cells)] = {ratio, margin_cell(one), miss_ratio_cell(one)};
   }
   const auto error = std::find_if(table.columns.begin(), table.columns.end(),
                                   [](const Column& column) { return column.name == headline_metric; });
@@ -214,11 +222,9 @@ Sheet contenders_table(const Evaluation& evaluation) {
   for (const char* name : {"speed-up", "margin", "miss speed-up"}) table.columns.push_back({name, "-", Kind::number});
   table.columns.push_back({"<= 1 %", ""});
   for (std::vector<Cell>& row : table.rows) {
-    const bool graded = j_error < row.size() && row[j_error].value.has_value();
-    const bool within = graded && std::max(std::abs(*row[j_error].value), row[j_error].bar.value_or(0)) <= error_target;
     const auto ratio = ratios.find(key_of(row));
     for (std::size_t j = 0; j < 3; ++j) row.push_back(ratio == ratios.end() ? text_cell("") : ratio->second[j]);
-    row.push_back(text_cell(!graded ? "" : within ? "yes" : "no"));
+    row.push_back(target_cell(j_error < row.size() ? row[j_error] : Cell{}));
   }
   return table;
 }

@@ -31,7 +31,8 @@ const Run* run_of(const Evaluation& evaluation, const Record& record);
 std::optional<double> simulated_seconds(const Evaluation& evaluation,
                                         const Run& run);  // [s]; none where the scene is unknown
 
-Cell ratio_cell(const SpeedUp& speed_up);       // "354 (340 to 370)", "0.9 (0.7 to 1.2), within noise", "none reached"
+// "354 (340 to 370)", "0.9 (0.7 to 1.2), within noise", "12 (single run), perturbed", "none reached"
+Cell ratio_cell(const SpeedUp& speed_up);
 Cell margin_cell(const SpeedUp& speed_up);      // how much more exact the rival is: "2.9"; "" where none
 Cell miss_ratio_cell(const SpeedUp& speed_up);  // speed-up over the near miss; "" where none
 
@@ -53,7 +54,8 @@ Sheet reduced_table(const Evaluation& evaluation);     // error against r
 Sheet rivals_table(const Evaluation& evaluation);      // full-order contenders
 Sheet contenders_table(const Evaluation& evaluation);  // both, with speed-up: the page's table
 Sheet speed_up_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown);
-Sheet phases_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown);  // offline, online, work counts
+// Parts of offline and online times, and work counts.
+Sheet phases_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown);
 Sheet probes_table(const Evaluation& evaluation);
 Sheet failures_table(const Evaluation& evaluation);  // one row a reason
 Sheet records_table(const Evaluation& evaluation);   // one row a record

@@ -71,7 +71,8 @@ Mark mark(const Metric& metric, const Trajectory& answer, const Trajectory& trut
   if (metric.free_only && !context.free) return {nan, "undefined: the body is not free"};
   const double value = metric.value(answer, truth, context);
   // Finite answers give NaN where they are 0/0, and infinity where they are too large to be squared.
-  if (std::isnan(value)) return {nan, "undefined: the truth has nothing of what is measured, or it was not recorded"};
+  if (std::isnan(value))
+    return {nan, "undefined: answer or truth has nothing of what is measured, or it was not recorded"};
   return std::isfinite(value) ? Mark{value, "ok"} : Mark{nan, "not_finite"};
 }
 

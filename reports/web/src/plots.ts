@@ -130,17 +130,20 @@ async function draw(
   const columns = width < 380 ? 1 : width < 560 ? 2 : 3;
   const filled = fitted(specification, { ...fit, columns: fit.labels ? Math.min(2, columns) : columns });
   const { title, ...rest } = filled; // headings stand beside the figure
-  const bars = typeof filled.height === 'object'; // whose height follows from their number
+  const bars = typeof filled.height === 'object'; // whose height follows from their number, labels of any length
   const spec = {
     ...rest,
-    width: bars ? Math.max(160, width - 190) : width,
+    width: bars ? Math.max(320, host.clientWidth) : width,
     height: bars ? filled.height : Math.round(Math.min(380, Math.max(260, width * 0.72))),
     data: { name: 'rows', values: data },
     config: { ...(filled.config as object), ...colours() },
   } as TopLevelSpec;
   const drawing = make('div');
   host.replaceChildren(drawing);
-  const view = new View(parse(compile(spec).spec as Spec, undefined, { ast: true }), {
+  const compiled = compile(spec).spec as Spec;
+  // Labels take of the width what they need. Vega-Lite itself warns of this beside a height in steps.
+  if (bars) compiled.autosize = { type: 'fit-x', contains: 'padding' };
+  const view = new View(parse(compiled, undefined, { ast: true }), {
     expr: expressionInterpreter,
     renderer: 'svg',
     container: drawing,

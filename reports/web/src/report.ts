@@ -74,7 +74,6 @@ export interface Report {
     median: string | null;
     sentences: string[];
   };
-  environment: Record<string, string>;
   cases: {
     name: string;
     profile: string;
@@ -112,6 +111,12 @@ function unpack(table: Table): void {
       else row[j] = cell;
     });
   }
+}
+
+// What the environment has under a name: one value, or each of several.
+export function environmentOf(report: Report, what: string): string {
+  const rows = report.tables.environment.rows.filter(([name]) => name[0] === what);
+  return rows.map(([, value]) => value[0]).join(', ');
 }
 
 export function readReport(): Report {

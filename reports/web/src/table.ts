@@ -14,6 +14,8 @@ const marks: Record<string, [symbol: string, className: string]> = {
   faster: ['✔', 'good'],
   slower: ['✘', 'bad'],
   'within noise': ['≈', 'faint'],
+  open: ['≈', 'faint'],
+  'not decided': ['≈', 'faint'],
 };
 // Cells of the matrix begin with their symbol.
 const moods: Record<string, string> = {

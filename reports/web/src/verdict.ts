@@ -1,6 +1,7 @@
 // The strip at the top: four tiles and the sentences they shorten.
 import { byId, make } from './dom';
 import { download } from './download';
+import { environmentOf } from './report';
 import type { Report } from './report';
 
 type Mood = 'good' | 'bad' | 'warn' | 'plain';
@@ -46,7 +47,7 @@ function tiles(report: Report): HTMLElement {
       v.at_target
         ? `median over ${v.at_target} ${v.at_target === 1 ? 'case' : 'cases'}, equal displacement error, truth finer`
         : contenders
-          ? 'no reduced run reaches 1 %'
+          ? 'no reduced run is within 1 % with its error bar'
           : 'nothing was run',
       'plain',
     ),
@@ -56,7 +57,12 @@ function tiles(report: Report): HTMLElement {
       `of ${contenders} contenders` + (v.unstable_runs ? `; ${v.unstable_runs} explicit ones are unstable` : ''),
       v.failed_runs ? 'bad' : contenders ? 'good' : 'plain',
     ),
-    tile(report.environment.profile ?? 'unknown', 'profile', report.cases.map((one) => one.name).join(', '), 'plain'),
+    tile(
+      environmentOf(report, 'profile') || 'unknown',
+      'profile',
+      report.cases.map((one) => one.name).join(', '),
+      'plain',
+    ),
   );
 }
 
@@ -71,7 +77,6 @@ export function drawVerdict(report: Report): void {
   const print = make('button', { type: 'button', id: 'print' }, 'Print');
   print.addEventListener('click', () => window.print());
   section.append(make('p', { class: 'tools' }, all, print));
-  const { environment } = report;
-  const stamp = ['date', 'commit', 'processor'].map((key) => environment[key]).filter(Boolean);
+  const stamp = ['date', 'commit', 'processor'].map((what) => environmentOf(report, what)).filter(Boolean);
   byId('stamp').textContent = stamp.join(' · ');
 }

@@ -1,0 +1,68 @@
+#include "reports/definitions.h"
+
+namespace mb {
+namespace {
+
+// Words of this folder alone: metrics and times are defined where they are measured.
+constexpr std::pair<const char*, const char*> own_words[] = {
+    {"truth finer",
+     "A full-order answer of higher degree or on a finer mesh, integrated tightly: errors against it "
+     "hold truncation, time stepping and discretisation."},
+    {"truth same_mesh",
+     "A full-order answer with the contender's own M and K, integrated tightly: errors against it "
+     "hold truncation and time stepping alone."},
+    {"error bar",
+     "How far the truth itself may be off, by the same metric. An error below it prints as <= bar. Where runs are "
+     "compared with each other it counts as the bar; where an error is compared with a bound or the 1 % target, error "
+     "and bar together must be within it."},
+    {"r",
+     "Elastic modes asked for; rigid modes always stay. Modes of equal frequency are kept whole, so that the "
+     "number used may be larger: both are recorded."},
+    {"speed-up",
+     "Online time of the rival over the online time of the reduced run. The rival is the cheapest full-order contender "
+     "whose error is at most that of the reduced run; no interpolation between runs. None reached: no full-order "
+     "contender of the sweep reaches that error. Single run: one of the times has no spread, so that the ratio has no "
+     "range. Times are compared where one machine took them: same processor, BLAS and threads; of every case the "
+     "machine with most times counts."},
+    {"margin",
+     "How much more exact the rival is: error of the reduced run over the rival's. Meshes and steps of the sweep "
+     "are coarse, so that the rival is always more exact than it need be, and the speed-up too large for exactly "
+     "equal error."},
+    {"near miss",
+     "The most exact of the full-order contenders that are cheaper than the rival: it just misses the error. Its "
+     "online time over that of the reduced run is the miss speed-up. Rival and near miss are neighbours of this sweep: "
+     "if cost rises with accuracy between them, the speed-up at exactly equal error lies between miss speed-up and "
+     "speed-up; a contender outside this sweep may be cheaper than both."},
+    {"break-even",
+     "Simulated seconds after which offline plus online time of the reduced run falls below that of "
+     "its rival: the difference of their offline times divided by what a simulated second gains; never where nothing "
+     "is "
+     "gained."},
+    {"real-time factor", "Simulated seconds per computing second, online: 1 keeps up with real time."},
+    {"perturbed",
+     "A time during which something else had the core: processor time over wall-clock time (busy) below 0.9. Its range "
+     "goes down to that share of it."},
+    {"edge of its sweep",
+     "The rival has the largest time step or tolerance, or the coarsest mesh, that was run with its integrator in that "
+     "case: beyond it a cheaper full-order contender may reach the error."},
+    {"within noise",
+     "The ranges of both times leave open which is faster; with a single run on either side, times within a factor "
+     "1.2, and what perturbed them."},
+    {"order",
+     "p of error ~ r^-p, step^p or tolerance^p, fitted over the points named in the table of orders; its standard "
+     "error "
+     "is that of the fit."},
+    {"check",
+     "A bound that the case file sets. It holds where value and error bar together are within it, fails where no value "
+     "within the error bar is, and is not decidable between the two."}};
+
+}  // namespace
+
+std::vector<Explanation> definitions(const Evaluation& evaluation) {
+  std::vector<Explanation> all;
+  for (const auto& [metric, text] : evaluation.input.metric_docs) all.push_back({metric, text});
+  for (const auto& [term, text] : own_words) all.push_back({term, text});
+  return all;
+}
+
+}  // namespace mb

@@ -1,0 +1,112 @@
+#include "reports/publish.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+namespace mb {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Within the report's folder: a rename across file systems would be a copy, which a full disk can cut short.
+constexpr const char* staging = ".unfinished-report";
+
+void make_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw std::runtime_error("cannot make " + path.string() + ": " + error.message());
+}
+
+void write(const fs::path& path, const std::string& text) {
+  make_folder(path.parent_path());
+  errno = 0;
+  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+  stream << text;
+  stream.close();
+  if (!stream) {
+    const std::string reason = errno ? std::generic_category().message(errno) : std::string("write failed");
+    throw std::runtime_error("cannot write " + path.string() + ": " + reason);
+  }
+}
+
+void move(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw std::runtime_error("cannot write " + to.string() + ": " + error.message());
+}
+
+// Files written aside; gone again, and their disk space with them, if the report is not finished.
+class Aside {
+ public:
+  explicit Aside(fs::path path) : path_(std::move(path)) { remove(); }
+  ~Aside() { remove(); }
+  Aside(const Aside&) = delete;
+  Aside& operator=(const Aside&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  void remove() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  fs::path path_;
+};
+
+// The list may have been edited: nothing outside the report's own folders and kinds of file is ever removed for it.
+bool may_be_ours(const fs::path& path) {
+  static const std::set<std::string> folders = {"", "data", "tables", "figures"};
+  static const std::set<std::string> endings = {".md", ".html", ".csv", ".jsonl", ".txt", ".tex", ".json"};
+  return path.lexically_normal() == path && folders.contains(path.parent_path().string()) &&
+         endings.contains(path.extension().string());
+}
+
+std::set<fs::path> files_of_report_in(const fs::path& directory) {
+  std::set<fs::path> files;
+  std::ifstream stream(directory / list_of_files);
+  for (std::string line; std::getline(stream, line);) {
+    if (may_be_ours(line)) files.insert(line);
+  }
+  return files;
+}
+
+// A figure goes with the drawing that web/svg.mjs puts beside it.
+void remove_figure_or_file(const fs::path& path) {
+  static const std::string figure = ".vl.json";
+  std::error_code ignored;
+  fs::remove(path, ignored);
+  const std::string name = path.string();
+  if (name.ends_with(figure)) fs::remove(name.substr(0, name.size() - figure.size()) + ".svg", ignored);
+}
+
+ReportFile listed_files(const std::vector<ReportFile>& files) {
+  std::string text;
+  for (const ReportFile& file : files) text += file.path.generic_string() + "\n";
+  return {list_of_files, text + list_of_files + "\n"};
+}
+
+}  // namespace
+
+std::vector<fs::path> publish(std::vector<ReportFile> files, const fs::path& directory) {
+  files.push_back(listed_files(files));
+  make_folder(directory);
+  const Aside aside(directory / staging);
+  for (const ReportFile& file : files) write(aside.path() / file.path, file.text);
+  std::set<fs::path> stale = files_of_report_in(directory);
+  for (const ReportFile& file : files) make_folder((directory / file.path).parent_path());
+  std::set<fs::path> paths;  // of names alike in all that a file name keeps of them, the last one stands
+  for (const ReportFile& file : files) paths.insert(file.path);
+  std::vector<fs::path> written;
+  for (const fs::path& path : paths) {
+    written.push_back(directory / path);
+    move(aside.path() / path, written.back());
+    stale.erase(path);
+  }
+  for (const fs::path& path : stale) remove_figure_or_file(directory / path);
+  return written;
+}
+
+}  // namespace mb

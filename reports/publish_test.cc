@@ -1,0 +1,97 @@
+#include "reports/publish.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace mb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+class Publish : public testing::Test {
+ protected:
+  void SetUp() override {
+    directory_ = fs::path(testing::TempDir()) /
+                 (std::string("publish-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(directory_);
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+
+  void put(const std::string& path, const std::string& text) {
+    fs::create_directories((directory_ / path).parent_path());
+    std::ofstream(directory_ / path) << text;
+  }
+  std::set<std::string> files() const {
+    std::set<std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(directory_)) {
+      if (!entry.is_directory()) found.insert(fs::relative(entry, directory_).string());
+    }
+    return found;
+  }
+  fs::path directory_;
+};
+
+TEST_F(Publish, WritesWhatItNamesAndAListOfIt) {
+  const auto written = publish({{"report.md", "1"}, {"data/a.csv", "2"}}, directory_);
+  EXPECT_EQ(written.size(), 3u);
+  for (const fs::path& path : written) EXPECT_TRUE(fs::is_regular_file(path)) << path;
+  EXPECT_THAT(files(), testing::ElementsAre("data/a.csv", "data/files.txt", "report.md"));
+  EXPECT_EQ(read(directory_ / list_of_files), "report.md\ndata/a.csv\ndata/files.txt\n");
+}
+
+TEST_F(Publish, FilesOfTheReportBeforeGoAndAllOthersStay) {
+  publish({{"report.md", "1"}, {"data/old.csv", "2"}, {"figures/old.vl.json", "3"}, {"figures/new.vl.json", "3"}},
+          directory_);
+  put("figures/old.svg", "drawn");
+  put("figures/new.svg", "drawn");
+  put("data/mine.csv", "kept");
+  put("notes/mine.txt", "kept");
+  publish({{"report.md", "4"}, {"figures/new.vl.json", "5"}}, directory_);
+  EXPECT_THAT(files(), testing::ElementsAre("data/files.txt", "data/mine.csv", "figures/new.svg", "figures/new.vl.json",
+                                            "notes/mine.txt", "report.md"));
+  EXPECT_EQ(read(directory_ / "report.md"), "4");
+  EXPECT_EQ(read(directory_ / "data/mine.csv"), "kept");
+}
+
+TEST_F(Publish, AReportThatCannotBeWrittenLeavesTheOneBeforeAsItWas) {
+  publish({{"report.md", "before"}, {"data/a.csv", "before"}}, directory_);
+  const std::string too_long(300, 'x');  // for a file name: fails once the others are written, as on a full disk
+  EXPECT_THROW(publish({{"report.md", "after"}, {"data/" + too_long, "after"}}, directory_), std::runtime_error);
+  EXPECT_EQ(read(directory_ / "report.md"), "before");
+  EXPECT_EQ(read(directory_ / "data/a.csv"), "before");
+  EXPECT_THAT(files(), testing::ElementsAre("data/a.csv", "data/files.txt", "report.md"));  // nothing aside is left
+}
+
+TEST_F(Publish, WhatAnInterruptedReportLeftAsideGoes) {
+  put(".unfinished-report/data/half.csv", "half");
+  publish({{"report.md", "1"}}, directory_);
+  EXPECT_THAT(files(), testing::ElementsAre("data/files.txt", "report.md"));
+}
+
+TEST_F(Publish, AListThatNamesOtherFilesRemovesNone) {
+  publish({{"report.md", "1"}}, directory_);
+  const std::string outside = directory_.string() + "-outside.csv";
+  std::ofstream(outside) << "kept";
+  put("data/sub/mine.csv", "kept");
+  put("mine.cc", "kept");
+  put("other/mine.csv", "kept");
+  put("data/files.txt", "../" + fs::path(outside).filename().string() + "\n" + outside +
+                            "\ndata/../mine.cc\ndata/sub/mine.csv\nmine.cc\nother/mine.csv\ndata\n\n..\n");
+  publish({{"report.md", "2"}}, directory_);
+  EXPECT_TRUE(fs::exists(outside));
+  fs::remove(outside);
+  EXPECT_THAT(files(),
+              testing::ElementsAre("data/files.txt", "data/sub/mine.csv", "mine.cc", "other/mine.csv", "report.md"));
+}
+
+}  // namespace
+}  // namespace mb
