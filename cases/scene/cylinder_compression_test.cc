@@ -88,7 +88,7 @@ TEST(CylinderCompression, lasts_ten_periods_in_the_longer_profiles) {
 
 TEST(CylinderCompression, truth_and_study) {
   const Scene scene = cylinder();
-  EXPECT_EQ(scene.truth.relative_tolerance, 1e-4);
+  EXPECT_LE(scene.truth.relative_tolerance, 1e-4);
   EXPECT_EQ(scene.truth.finer, (Resolution{4, {1, 4}}));
   EXPECT_EQ(scene.truth.coarser, (Resolution{3, {1, 4}}));
   EXPECT_EQ(scene.study.methods, (std::vector<std::string>{"eigenmodes", "static-correction", "linear", "quadratic"}));
