@@ -81,7 +81,7 @@ void add_case(ReportInput& input, const std::string& name, double rival, double 
   };
   add(synthetic::reduced("eigenmodes", 8), 5e-3, 1);
   add(synthetic::full(2, {1, 2}, 0.01), 5e-3, rival);
-  add(synthetic::full(2, {1, 2}, 0.02), 6e-3, miss);
+  add(synthetic::full(2, {1, 2}, 0.02), 1.1e-2, miss);
 }
 
 TEST(Claims, TheLargestSpeedUpDecidesAndItsNearMissMustReachAHundred) {
@@ -100,7 +100,7 @@ TEST(Claims, TheLargestSpeedUpDecidesAndItsNearMissMustReachAHundred) {
     EXPECT_EQ(found.ruling, one.ruling) << one.rival << " " << one.miss;
     EXPECT_THAT(found.measured, HasSubstr("largest speed-up " + format_number(one.rival)));
     EXPECT_THAT(found.measured, HasSubstr("b 3.00 (at least 2.00)"));
-    EXPECT_THAT(found.limits, HasSubstr("no rival reaches the error in 1 of 3 cases: c"));
+    EXPECT_THAT(found.limits, HasSubstr("no full-order run is within the target in 1 of 3 cases: c"));
   }
 }
 

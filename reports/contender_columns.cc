@@ -13,7 +13,7 @@ std::vector<Column> contender_columns() {
 std::vector<Cell> contender_cells(const Contender& contender, int modes_used, long n_unknowns) {
   const Settings& settings = contender.settings;
   return {text_cell(contender.method),
-          text_cell(contender.integrator),
+          text_cell(describe_integrator(contender)),
           text_cell(to_string(contender.resolution)),
           takes_modes(contender) ? count_cell(settings.modes) : text_cell(""),
           is_reduced(contender) && modes_used >= 0 ? count_cell(modes_used) : text_cell(""),

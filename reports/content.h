@@ -42,7 +42,8 @@ std::string subject_of(const Check& check);  // "displacement-error", "table fre
 // No interpolation between runs. Errors below their bar count as the bar. rival empty: none reached that error. The
 // near miss is the most exact of the full-order contenders that are cheaper than the rival: all of them miss that
 // error. Between these two neighbours of the sweep cost is expected to rise with accuracy; what a finer or wider sweep
-// would find is not known. Times of other machines than the one that took most of the case's are not compared.
+// would find is not known. The headline compares at a target instead (speedup.h). Times of other machines than the one
+// that took most of the case's are not compared.
 struct SpeedUp {
   Record error, time;             // of the reduced run
   std::vector<Record> rival;      // {} or {error, time} of the cheapest full-order contender

@@ -15,7 +15,9 @@ struct Key {
 };
 
 // Magnitude, phase and their sum stand in the table of probes.
-bool is_drawn(const std::string& metric) { return !metric.starts_with("probe-") || metric == "probe-error"; }
+bool is_drawn(const std::string& metric) {
+  return !metric.starts_with("probe-") || metric == "probe-error" || metric == "probe-von-mises";
+}
 
 std::string stem(const Key& key) {
   std::string text = file_part(key.case_name);

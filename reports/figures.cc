@@ -38,7 +38,8 @@ Json shape_scale(const std::vector<DrawnSeries>& all) { return scale(all, &Drawn
 
 std::vector<Quantity> quantities(const Evaluation& evaluation) {
   static const std::vector<std::string> order = {"displacement-error", "strain-error",  "surface-deviation",
-                                                 "pose-translation",   "pose-rotation", "probe-error"};
+                                                 "pose-translation",   "pose-rotation", "probe-error",
+                                                 "probe-von-mises"};
   const auto place = [](const Quantity& quantity) {
     return std::tuple(std::find(order.begin(), order.end(), quantity.metric) - order.begin(), quantity);
   };
@@ -59,6 +60,7 @@ std::string title(const Quantity& quantity) {
       {"pose-translation", "pose error, translation"},
       {"pose-rotation", "pose error, rotation"},
       {"probe-error", "relative error of the probe signal"},
+      {"probe-von-mises", "relative von Mises error of the probe"},
       {"probe-magnitude", "Sprague-Geers magnitude error"},
       {"probe-phase", "Sprague-Geers phase error"},
       {"probe-combined", "Sprague-Geers combined error"}};

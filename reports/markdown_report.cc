@@ -14,15 +14,18 @@
 namespace mb {
 namespace {
 
-std::string section(const Sheet& table, const std::string& heading, const std::string& empty) {
-  std::string text = "## " + heading + "\n\n";
-  if (table.rows.empty()) return text + empty + "\n\n";
+std::string parts(const Sheet& table) {
+  std::string text;
   for (const Sheet& part : split(table)) {
     text += "### " + markdown_text(part.title) + "\n\n";
     if (!part.note.empty()) text += markdown_text(part.note) + "\n\n";
     text += markdown(part) + "\n";
   }
   return text;
+}
+
+std::string section(const Sheet& table, const std::string& heading, const std::string& empty) {
+  return "## " + heading + "\n\n" + (table.rows.empty() ? empty + "\n\n" : parts(table));
 }
 
 std::string findings_sections(const Evaluation& evaluation, bool before_speed_up) {
@@ -49,7 +52,7 @@ std::string cases_section(const Evaluation& evaluation) {
             format_number(scene.duration) + " s): " + markdown_text(scene.title) + ". " + markdown_text(scene.purpose);
     for (const std::string& sentence : truth_sentences(evaluation, scene)) text += " " + markdown_text(sentence);
     if (!scene.source.empty()) text += " Source: " + markdown_text(scene.source);
-    text += "\n";
+    text += "\n  - " + markdown_text(case_line(evaluation, scene)) + "\n";
   }
   return text + "\n";
 }
@@ -78,7 +81,7 @@ std::string reproduce_section(const Evaluation& evaluation) {
 std::string markdown_report(const Evaluation& evaluation) {
   std::string text = "# Modalbench report\n\n## Verdict\n\n";
   for (const std::string& sentence : verdict_of(evaluation).sentences) text += "- " + markdown_text(sentence) + "\n";
-  text += "\n";
+  text += "\n" + parts(headline_table(evaluation));
   const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
   text += section(checks_table(evaluation), "Checks", "No case states a check.");
   text += section(matrix_table(evaluation), "Cases and contenders", "Nothing was run.");

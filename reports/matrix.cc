@@ -17,7 +17,7 @@ struct Outcome {
 // Full order: every mesh and step of an integrator together.
 std::string family(const Contender& contender) {
   if (is_reduced(contender)) return describe_family(contender);
-  return (contender.method == "full-order" ? "full order, " : "full basis, ") + contender.integrator;
+  return (contender.method == "full-order" ? "full order, " : "full basis, ") + describe_integrator(contender);
 }
 
 std::string case_of(const Evaluation& evaluation, const Run& run) {

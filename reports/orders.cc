@@ -67,9 +67,12 @@ ObservedOrder fit_order(std::vector<OrderPoint> points) {
                        .n_points = static_cast<int>(points.size()),
                        .n_left_out = static_cast<int>(n_all - points.size()),
                        .coarsest = points.empty() ? nan : points.front().h,
-                       .finest = points.empty() ? nan : points.back().h};
+                       .finest = points.empty() ? nan : points.back().h,
+                       .why_none = "fewer than three points"};
   if (points.size() < 3) return result;
   const Line line = least_squares(points);
+  result.why_none = line.slope > 0 ? "" : "error does not fall";  // an error of another kind rules it: the mesh's, r's
+  if (!result.why_none.empty()) return result;
   result.order = line.slope;
   result.standard_error = line.standard_error;
   return result;

@@ -25,9 +25,10 @@ struct OrderPoint {
 };
 
 struct ObservedOrder {
-  double order, standard_error;  // [-]; NaN where fewer than three points are left
+  double order, standard_error;  // [-] order > 0; both NaN where there is none
   int n_points, n_left_out;
   double coarsest, finest;  // h of the points used
+  std::string why_none;     // "fewer than three points", "error does not fall"; "" where there is an order
 };
 ObservedOrder fit_order(std::vector<OrderPoint> points);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/figures.h"
 #include "reports/synthetic.h"
 
 namespace mb {
@@ -73,7 +74,27 @@ TEST(ObservedOrders, FewerThanThreePointsHaveNoOrder) {
 
 TEST(ObservedOrders, ErrorsThatDoNotFallHaveNoFineOrder) {
   std::vector<OrderPoint> rising = {{1, 0.1, 0}, {0.5, 0.2, 0}, {0.25, 0.4, 0}};
-  EXPECT_LT(fit_order(rising).order, 0);  // said as it is
+  EXPECT_TRUE(std::isnan(fit_order(rising).order));
+  EXPECT_EQ(fit_order(rising).why_none, "error does not fall");
+  EXPECT_EQ(fit_order({{1, 0.1, 0}, {0.5, 0.1, 0}, {0.25, 0.1, 0}}).why_none, "error does not fall");
+  EXPECT_EQ(fit_order(power_law(1, 0, 2)).why_none, "fewer than three points");
+  EXPECT_EQ(fit_order(power_law(1, 0, 3)).why_none, "");
+}
+
+TEST(ObservedOrders, AnErrorThatDoesNotFallIsNoneInTheTableAndHasNoLegend) {
+  ReportInput input;
+  for (const double step : {0.01, 0.005, 0.0025}) {  // the coarser the step, the less the error: the mesh's rules
+    input.records.push_back(synthetic::record("displacement-error", 0.1 - step, 0, synthetic::full(2, {1, 2}, step)));
+  }
+  const Evaluation evaluation = evaluate(input);
+  const std::vector<Curve> all = curves(evaluation);
+  const Sheet table = orders_table(all);
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_EQ(table.rows[0][9].text, "none");
+  EXPECT_EQ(table.rows[0].back().text, "error does not fall");
+  const mb::Run& run = evaluation.runs[0];
+  EXPECT_TRUE(
+      order_labels(all, run, run.measures.begin()->first, true, drawn(evaluation.runs), evaluation.runs).empty());
 }
 
 class Curves : public testing::Test {

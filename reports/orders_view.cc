@@ -106,14 +106,15 @@ std::vector<Cell> row(const Curve& curve) {
           text_cell(curve.measure.metric),
           text_cell(varied(curve.refinement).name),
           text_cell(c.method),
-          text_cell(c.integrator),
+          text_cell(describe_integrator(c)),
           text_cell(size),
           none ? text_cell("none") : Cell{.text = format_number(o.order), .value = o.order},
           none ? text_cell("") : Cell{.text = format_number(o.standard_error, 2), .value = o.standard_error},
           count_cell(o.n_points),
           count_cell(o.n_left_out),
           range_cell(curve, o.coarsest),
-          range_cell(curve, o.finest)};
+          range_cell(curve, o.finest),
+          text_cell(o.why_none)};
 }
 
 }  // namespace
@@ -150,16 +151,18 @@ std::vector<Curve> curves(const Evaluation& evaluation) {
 
 Sheet orders_table(const std::vector<Curve>& all) {
   using Kind = Column::Kind;
-  Sheet table{.name = "orders",
-              .title = "Observed orders",
-              .note =
-                  "error ~ r^-p, step^p or tolerance^p: least squares in log-log with the standard error of p. Points "
-                  "are left out above 0.5 (nothing is resolved), within 5 truth bars, within 5 times the error of the "
-                  "same basis in closed form, and where the curve has flattened: from the fine end, every point whose "
-                  "last step gains less than half the slope before it, then points within 3 times the least error "
-                  "so dropped. None: fewer than three points remain.",
-              .columns = {},
-              .rows = {}};
+  Sheet table{
+      .name = "orders",
+      .title = "Observed orders",
+      .note =
+          "error ~ r^-p, step^p or tolerance^p: least squares in log-log with the standard error of p. Points "
+          "are left out above 0.5 (nothing is resolved), within 5 truth bars, within 5 times the error of the "
+          "same basis in closed form, and where the curve has flattened: from the fine end, every point whose "
+          "last step gains less than half the slope before it, then points within 3 times the least error "
+          "so dropped. None: fewer than three points remain, or the error does not fall over them, as something else "
+          "rules it.",
+      .columns = {},
+      .rows = {}};
   table.columns = {{"case", ""},
                    {"profile", ""},
                    {"truth", ""},
@@ -174,7 +177,8 @@ Sheet orders_table(const std::vector<Curve>& all) {
                    {"points", "", Kind::number},
                    {"left out", "", Kind::number},
                    {"coarsest", "", Kind::number},
-                   {"finest", "", Kind::number}};
+                   {"finest", "", Kind::number},
+                   {"why none", ""}};
   for (const Curve& curve : all) table.rows.push_back(row(curve));
   return table;
 }

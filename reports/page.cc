@@ -73,6 +73,7 @@ Json verdict_json(const Verdict& verdict) {
                {"not_decidable", verdict.n_not_decidable},
                {"not_measured", verdict.n_not_measured},
                {"at_target", verdict.at_target.size()},
+               {"compared", verdict.n_compared},
                {"failed_runs", verdict.n_failed_runs},
                {"unstable_runs", verdict.n_unstable_runs},
                {"sentences", verdict.sentences}};
@@ -131,7 +132,7 @@ std::vector<std::string> truths_of(const Evaluation& evaluation) {
     const bool known = std::find(truths.begin(), truths.end(), record.truth) != truths.end();
     if (is_mark(record) && !known) truths.push_back(record.truth);
   }
-  std::sort(truths.begin(), truths.end());  // "finer" first: the headline's
+  std::ranges::sort(truths, {}, [](const std::string& one) { return std::pair(one != headline_truth, one); });
   return truths;
 }
 
@@ -176,6 +177,7 @@ Json cases_json(const Evaluation& evaluation) {
                      {"title", scene.title},
                      {"purpose", scene.purpose},
                      {"source", scene.source},
+                     {"line", case_line(evaluation, scene)},
                      {"truth", truth_sentences(evaluation, scene)},
                      {"duration", scene.duration},
                      {"frame_rate", scene.frame_rate},
@@ -203,10 +205,10 @@ Json page_json(const Evaluation& evaluation) {
   for (const Explanation& one : definitions(evaluation)) terms.push_back(Json::array({one.term, one.text}));
   Json tables = Json::object();
   const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
-  for (const Sheet& table : {contenders_table(evaluation), matrix_table(evaluation), orders_table(curves(evaluation)),
-                             speed_up_table(evaluation, front), phases_table(evaluation, front),
-                             claims_table(evaluation), checks_table(evaluation), probes_table(evaluation),
-                             failures_table(evaluation), environment_table(evaluation)}) {
+  for (const Sheet& table : {headline_table(evaluation), contenders_table(evaluation), matrix_table(evaluation),
+                             orders_table(curves(evaluation)), speed_up_table(evaluation, front),
+                             phases_table(evaluation, front), claims_table(evaluation), checks_table(evaluation),
+                             probes_table(evaluation), failures_table(evaluation), environment_table(evaluation)}) {
     tables[table.name] = table_json(table);
   }
   return {{"schema", 1},          {"verdict", verdict_json(verdict_of(evaluation))}, {"cases", cases_json(evaluation)},

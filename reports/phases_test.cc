@@ -48,6 +48,15 @@ TEST(Phases, StandEmptyWhereTheyWereNotMeasured) {
   EXPECT_DOUBLE_EQ(cell(input, "rival online").value.value(), 20);
 }
 
+TEST(Phases, AClosedFormTakesNoSteps) {
+  ReportInput input = measured_input();
+  for (Record& record : input.records) record.work.steps = 320;
+  EXPECT_EQ(cell(input, "steps").text, "n/a");
+  EXPECT_EQ(cell(input, "rival steps").text, "320");
+  EXPECT_EQ(describe_integrator(synthetic::reduced("eigenmodes", 8)), "closed form");
+  EXPECT_EQ(speed_up_table(evaluate(input), evaluate(input).speed_ups).rows.at(0).at(6).text, "closed form");
+}
+
 TEST(Phases, BelowTheSpreadsOfBothMeasurementsPrintTheSpreads) {
   ReportInput input = measured_input();
   for (Record& record : input.records) {

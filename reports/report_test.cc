@@ -128,11 +128,13 @@ TEST_F(WriteReport, ListsAReasonOnceWithTheRunsItStruck) {
               HasSubstr("5 runs: point lies in no cell: Q1 1x2, newmark, 5 runs from step 0.02 s to step 0.00125"));
   EXPECT_EQ(count(text, "point lies in no cell"), 2u);  // verdict and table
   EXPECT_EQ(count(text, "undefined: the body is not free"), 1u);
+  EXPECT_EQ(count(text, "mesh Q4 1x4, 4000 degrees of freedom"), 1u);
 }
 
 TEST_F(WriteReport, TruthsAreNoContenders) {
   write_report(troubled_input(), directory_);
-  EXPECT_THAT(read(directory_ / "report.md"), HasSubstr("Of the truth finer: truth-above-band 7.50e-6 (cylinder)."));
+  EXPECT_THAT(read(directory_ / "report.md"),
+              HasSubstr("Of the truth finer: share of kinetic energy above 30 Hz: 7.50e-6 (cylinder)."));
   for (const char* name : {"data/full-order.csv", "data/error-against-modes.csv"}) {
     EXPECT_THAT(read(directory_ / name), Not(HasSubstr("truth-above-band"))) << name;
     EXPECT_THAT(read(directory_ / name), Not(HasSubstr("Q4 2x4"))) << name;
@@ -141,6 +143,61 @@ TEST_F(WriteReport, TruthsAreNoContenders) {
   const Evaluation evaluation = evaluate(troubled_input());
   for (const Figure& figure : figures(evaluation)) EXPECT_THAT(figure.name, Not(HasSubstr("truth-above-band")));
   for (const Quantity& quantity : quantities(evaluation)) EXPECT_NE(quantity.metric, "truth-above-band");
+}
+
+TEST(Cases, AreDescribedInOneLine) {
+  ReportInput input = synthetic::input();
+  EXPECT_EQ(case_line(evaluate(input), input.scenes[0]),
+            "cylinder: cylinder of radius 0.05 m and length 0.2 m; E = 50000 Pa, nu = 0.45, rho = 1000 kg/m^3; free; "
+            "undamped; mesh Q4 1x4, 4000 degrees of freedom. No loads.");
+  Scene& scene = input.scenes[0];
+  Body& body = scene.bodies[0];
+  body.supports = {{Support::Kind::sliding, {"z-min", std::nullopt}},
+                   {Support::Kind::sliding, {"z-max", std::nullopt}}};
+  body.damping = {.alpha = 0.5, .beta = 1e-4};
+  body.damping_ratios = {0.01, 0.02};
+  body.resolution = {3, {2, 2}};  // no record of it
+  scene.loads = {{"push", Pulse{0.01}, {{"cylinder", {"z-max", Disc{{0, 0, 0.1}, 0.02}}, {0, 0, -30}}}},
+                 {"blow", Harmonic{12}, {{"cylinder", {"side", std::nullopt}, {0, 0, 0}, 5}}}};
+  EXPECT_THAT(
+      case_line(evaluate(input), scene),
+      HasSubstr("sliding at z-min, z-max; damping alpha = 0.5 1/s, beta = 0.0001 s, ratio 0.01 to 0.02 of the first 2 "
+                "elastic modes; mesh Q3 2x2. Loads: push (pulse of 0.01 s): 30 Pa on z-max (disc of radius "
+                "0.02 m); blow (harmonic of 12 rad/s): pressure 5 Pa on side."));
+}
+
+TEST(Checks, HaveABarEachAndTheDigitsThatTellThemFromTheirBound) {
+  ReportInput input = synthetic::input();
+  const auto row = [&](double value, double bar) {
+    input.records = {synthetic::record("displacement-error", value, bar, synthetic::reduced("eigenmodes", 32))};
+    input.scenes[0].checks = {input.scenes[0].checks[0]};  // at most 0.02
+    input.scenes[0].checks[0].method = "eigenmodes";
+    const Sheet table = checks_table(evaluate(input));
+    EXPECT_EQ(table.columns.at(7).name, "error bar");
+    EXPECT_THAT(split(table).at(0).note, Not(HasSubstr("largest")));
+    return std::pair(table.rows.at(0).at(6).text, table.rows.at(0).at(7).text);
+  };
+  EXPECT_EQ(row(0.0200000123, 0), std::pair(std::string("0.02000001"), std::string()));
+  EXPECT_EQ(row(0.0123456, 3e-4), std::pair(std::string("0.0123"), std::string("3.0e-4")));
+}
+
+TEST(Probes, StandInTableAndFiguresWithTheirVonMisesError) {
+  ReportInput input;
+  input.records = {synthetic::record("probe-von-mises", 0.03, 0, synthetic::reduced("eigenmodes", 8))};
+  input.records[0].subject = "end";
+  const Evaluation evaluation = evaluate(input);
+  const Sheet table = probes_table(evaluation);
+  const auto column = std::ranges::find(table.columns, "von Mises error", &Column::name);
+  ASSERT_NE(column, table.columns.end());
+  EXPECT_EQ(table.rows.at(0)[static_cast<std::size_t>(column - table.columns.begin())].text, "0.0300");
+  ASSERT_EQ(figures(evaluation).size(), 1u);
+  EXPECT_THAT(figures(evaluation)[0].name, HasSubstr("probe-von-mises"));
+  EXPECT_EQ(title(quantities(evaluation).at(0)), "relative von Mises error of the probe, end");
+}
+
+TEST(Verdict, SaysNoMoreOfUnstableRunsThanIsKnown) {
+  EXPECT_THAT(verdict_of(evaluate(synthetic::input())).sentences,
+              testing::Contains("1 explicit run is unstable: its step is beyond the limit."));
 }
 
 TEST(Definitions, StandOnceAndTimesComeFromTheirMetrics) {
@@ -153,8 +210,8 @@ TEST(Definitions, StandOnceAndTimesComeFromTheirMetrics) {
     EXPECT_NE(one.term, "offline time");
     EXPECT_NE(one.term, "online time");
   }
-  for (const char* term :
-       {"offline-time", "error bar", "r", "speed-up", "margin", "near miss", "break-even", "check"}) {
+  for (const char* term : {"offline-time", "error bar", "r", "speed-up at 1 % error", "speed-up at equal error",
+                           "margin", "near miss", "break-even", "check", "mesh", "truth exact", "closed form"}) {
     EXPECT_TRUE(terms.contains(term)) << term;
   }
 }

@@ -122,9 +122,13 @@ std::string describe(const Contender& contender) {
 
 std::string describe_family(const Contender& contender) {
   const std::string mesh = to_string(contender.resolution);
-  if (contender.method == "full-order") return mesh + ", " + contender.integrator;
-  if (!is_reduced(contender)) return contender.method + " " + mesh + ", " + contender.integrator;
+  if (contender.method == "full-order") return mesh + ", " + describe_integrator(contender);
+  if (!is_reduced(contender)) return contender.method + " " + mesh + ", " + describe_integrator(contender);
   return joined({contender.method, contender.integrator == "exact" ? "" : contender.integrator}, ", ");
+}
+
+std::string describe_integrator(const Contender& contender) {
+  return contender.integrator == "exact" ? "closed form" : contender.integrator;
 }
 
 std::string describe_size(const Contender& contender) {
@@ -144,8 +148,8 @@ std::string describe_setting(const Contender& contender) {
 
 std::string describe_series(const Contender& contender) {
   if (is_reduced(contender)) return describe_family(contender);
-  if (contender.method != "full-order") return "full basis, " + contender.integrator;
-  return "full order Q" + std::to_string(contender.resolution.degree) + ", " + contender.integrator;
+  if (contender.method != "full-order") return "full basis, " + describe_integrator(contender);
+  return "full order Q" + std::to_string(contender.resolution.degree) + ", " + describe_integrator(contender);
 }
 
 }  // namespace mb

@@ -60,6 +60,7 @@ std::string describe_family(const Contender& contender);    // "eigenmodes", "li
 std::string describe_size(const Contender& contender);      // "r = 8", "Q2 1x4"; "" where the method has no choice
 std::string describe_accuracy(const Contender& contender);  // of its steps: "step 0.00125 s", "rtol 1e-06"; "" if exact
 std::string describe_setting(const Contender& contender);   // "r = 8, step 0.00125 s", "rtol 1e-06", ""
-std::string describe_series(const Contender& contender);    // as drawn: "eigenmodes", "full order Q2, newmark"
+std::string describe_integrator(const Contender& contender);  // "newmark"; "closed form" instead of "exact"
+std::string describe_series(const Contender& contender);      // as drawn: "eigenmodes", "full order Q2, newmark"
 
 }  // namespace mb

@@ -1,4 +1,7 @@
-// Speed-up at equal error:  ratio = min { t_f : e_f <= e_r } / t_r,   f full order, r reduced, e = max(|error|, bar).
+// f full order, r reduced:
+//
+//   at equal error:    ratio = min { t_f : e_f <= e_r } / t_r,                 e = max(|error|, bar)
+//   at a target:       ratio = min { t_f : E_f <= E } / min { t_r : E_r <= E },   E_i = |error| + bar
 #include "reports/speedup.h"
 
 #include <algorithm>
@@ -28,13 +31,19 @@ bool cheaper(const Candidate& a, const Candidate& b) {
 
 bool is_timed(const Run& run) { return run.online && is_usable(*run.online) && run.online->value > 0; }
 
-const Candidate* rival_of(const Candidate& reduced, const std::vector<Candidate>& candidates) {
+// nullptr where none is reached.
+template <typename Reached>
+const Candidate* cheapest_of(const std::vector<Candidate>& candidates, Reached is_reached) {
   const Candidate* best = nullptr;
   for (const Candidate& one : candidates) {
-    if (counted_error(*one.error) > counted_error(*reduced.error)) continue;
-    if (!best || cheaper(one, *best)) best = &one;
+    if (is_reached(*one.error) && (!best || cheaper(one, *best))) best = &one;
   }
   return best;
+}
+
+const Candidate* rival_of(const Candidate& reduced, const std::vector<Candidate>& candidates) {
+  return cheapest_of(candidates,
+                     [&](const Record& error) { return counted_error(error) <= counted_error(*reduced.error); });
 }
 
 // The rival is the cheapest that reaches the error: whatever is cheaper misses it.
@@ -44,6 +53,16 @@ const Candidate* near_miss_of(const Candidate& rival, const std::vector<Candidat
     if (one.run->online->value >= rival.run->online->value) continue;
     const double e = counted_error(*one.error), least = best ? counted_error(*best->error) : e;
     if (!best || e < least || (e == least && cheaper(one, *best))) best = &one;
+  }
+  return best;
+}
+
+// Of those below the target's rival the dearest: none of them is sure to be within the target.
+const Candidate* dearest_below(const Candidate& rival, const std::vector<Candidate>& candidates) {
+  const Candidate* best = nullptr;
+  for (const Candidate& one : candidates) {
+    if (one.run->online->value >= rival.run->online->value) continue;
+    if (!best || cheaper(*best, one)) best = &one;
   }
   return best;
 }
@@ -59,9 +78,9 @@ Range ratio_range(const Record& time, const Record& slow) {
   return {other.low / own.high, own.low > 0 ? other.high / own.low : infinity};
 }
 
-SpeedUp against(const Candidate& reduced, const std::vector<Candidate>& candidates, const Sweeps& sweeps) {
+// Rival and near miss may be nullptr.
+SpeedUp against(const Candidate& reduced, const Candidate* rival, const Candidate* miss, const Sweeps& sweeps) {
   SpeedUp result{.error = *reduced.error, .time = *reduced.run->online, .rival = {}, .near_miss = {}};
-  const Candidate* rival = rival_of(reduced, candidates);
   if (!rival) return result;
   result.rival = {*rival->error, *rival->run->online};
   result.ratio = rival->run->online->value / result.time.value;
@@ -69,32 +88,64 @@ SpeedUp against(const Candidate& reduced, const std::vector<Candidate>& candidat
   const Range range = ratio_range(result.time, result.rival[1]);
   result.ratio_low = range.low;
   result.ratio_high = range.high;
-  if (const Candidate* miss = near_miss_of(*rival, candidates)) {
+  if (miss) {
     result.near_miss = {*miss->error, *miss->run->online};
     result.miss_ratio = miss->run->online->value / result.time.value;
   }
   return result;
 }
 
-}  // namespace
+using Comparable = std::tuple<std::string, std::string, Measure>;  // case, profile, measure: what may be compared
+struct Sides {
+  std::vector<Candidate> reduced, full_order;
+};
 
-std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::string& metric) {
-  using Key = std::tuple<std::string, std::string, Measure>;  // case, profile, measure: what may be compared
-  std::map<Key, std::vector<Candidate>> reduced, rivals;
-  const std::vector<Run> runs = group_runs(records);
+std::map<Comparable, Sides> sides_of(const std::vector<Run>& runs, const std::string& metric) {
+  std::map<Comparable, Sides> all;
   for (const Run& run : runs) {
     if (!is_timed(run)) continue;
     for (const auto& [measure, record] : run.measures) {
       if (measure.metric != metric || !is_usable(record)) continue;
-      auto& side = is_reduced(run.contender) ? reduced : rivals;
-      side[{run.case_name, run.profile, measure}].push_back({&run, &record});
+      Sides& sides = all[{run.case_name, run.profile, measure}];
+      (is_reduced(run.contender) ? sides.reduced : sides.full_order).push_back({&run, &record});
     }
   }
+  return all;
+}
+
+}  // namespace
+
+std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::string& metric) {
+  const std::vector<Run> runs = group_runs(records);
   const Sweeps sweeps = full_order_sweeps(runs);
   std::vector<SpeedUp> results;
-  for (const auto& [key, candidates] : reduced) {
-    for (const Candidate& candidate : candidates) results.push_back(against(candidate, rivals[key], sweeps));
+  for (const auto& [key, sides] : sides_of(runs, metric)) {
+    for (const Candidate& reduced : sides.reduced) {
+      const Candidate* rival = rival_of(reduced, sides.full_order);
+      const Candidate* miss = rival ? near_miss_of(*rival, sides.full_order) : nullptr;
+      results.push_back(against(reduced, rival, miss, sweeps));
+    }
   }
+  return results;
+}
+
+std::vector<SpeedUp> speed_ups_at(double target, const std::vector<Run>& runs, const std::string& metric,
+                                  const std::string& truth) {
+  const Sweeps sweeps = full_order_sweeps(runs);
+  const auto is_within = [&](const Record& error) { return largest_error(error) <= target; };
+  std::map<std::pair<std::string, std::string>, SpeedUp> best;  // by case and profile
+  for (const auto& [key, sides] : sides_of(runs, metric)) {
+    const auto& [case_name, profile, measure] = key;
+    const Candidate* reduced = measure.truth == truth ? cheapest_of(sides.reduced, is_within) : nullptr;
+    if (!reduced) continue;
+    const Candidate* rival = cheapest_of(sides.full_order, is_within);
+    const Candidate* miss = rival ? dearest_below(*rival, sides.full_order) : nullptr;
+    const SpeedUp one = against(*reduced, rival, miss, sweeps);
+    const auto [entry, inserted] = best.try_emplace({case_name, profile}, one);
+    if (!inserted && one.time.value < entry->second.time.value) entry->second = one;
+  }
+  std::vector<SpeedUp> results;
+  for (const auto& [key, value] : best) results.push_back(value);
   return results;
 }
 
@@ -120,18 +171,6 @@ std::vector<SpeedUp> on_front(const std::vector<SpeedUp>& all) {
     const bool first = results.empty() || group(results.back()) != group(*one);
     if (first || counted_error(one->error) < counted_error(results.back().error)) results.push_back(*one);
   }
-  return results;
-}
-
-std::vector<SpeedUp> cheapest_within(const std::vector<SpeedUp>& all, const std::string& truth, double target) {
-  std::map<std::pair<std::string, std::string>, SpeedUp> best;  // by case and profile
-  for (const SpeedUp& candidate : all) {
-    if (candidate.error.truth != truth || largest_error(candidate.error) > target) continue;
-    const auto [entry, inserted] = best.try_emplace({candidate.error.case_name, candidate.error.profile}, candidate);
-    if (!inserted && candidate.time.value < entry->second.time.value) entry->second = candidate;
-  }
-  std::vector<SpeedUp> results;
-  for (const auto& [key, value] : best) results.push_back(value);
   return results;
 }
 

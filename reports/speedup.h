@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reports/content.h"
+#include "reports/runs.h"
 
 namespace mb {
 
@@ -15,9 +16,11 @@ std::vector<SpeedUp> of_norm(const std::vector<SpeedUp>& all, const std::string&
 // whose time has no spread counts like the others.
 std::vector<SpeedUp> on_front(const std::vector<SpeedUp>& all);
 
-// Of every case and profile the cheapest reduced run whose error against `truth`, error bar included, is at most
-// `target` [-].
-std::vector<SpeedUp> cheapest_within(const std::vector<SpeedUp>& all, const std::string& truth, double target);
+// Of every case and profile the cheapest reduced run within the target over the cheapest full-order one: both have an
+// error against `truth` that is at most `target` [-], error bar included. Their errors differ. The near miss is the
+// dearest of the full-order runs that are cheaper than the rival: none of them is sure to be within the target.
+std::vector<SpeedUp> speed_ups_at(double target, const std::vector<Run>& runs, const std::string& metric,
+                                  const std::string& truth);
 
 // [-] >= 1: counted error of the reduced run over its rival's, infinite where the latter is 0. Contenders are steps and
 // meshes of a sweep, so that the rival is always somewhat too exact. Needs a rival.

@@ -18,7 +18,7 @@ std::vector<Cell> speed_up_key_cells(const SpeedUp& one) {
           text_cell(e.metric),
           text_cell(e.subject),
           text_cell(e.contender.method),
-          text_cell(e.contender.integrator),
+          text_cell(describe_integrator(e.contender)),
           takes_modes(e.contender) ? count_cell(e.contender.settings.modes) : text_cell(""),
           text_cell(describe_accuracy(e.contender))};
 }

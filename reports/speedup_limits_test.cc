@@ -93,9 +93,9 @@ TEST(OtherMachines, GiveNoRival) {
 TEST(ErrorTarget, IsReachedWhereErrorAndBarAreWithinIt) {
   std::vector<Record> records = a_pair("1", "1");
   records[0].error_bar = 5e-3;
-  EXPECT_EQ(cheapest_within(speed_ups(records, "displacement-error"), "finer", 0.01).size(), 1u);
+  EXPECT_EQ(speed_ups_at(0.01, group_runs(records), "displacement-error", "finer").size(), 1u);
   records[0].error_bar = 6e-3;  // may be 1.1 %
-  EXPECT_TRUE(cheapest_within(speed_ups(records, "displacement-error"), "finer", 0.01).empty());
+  EXPECT_TRUE(speed_ups_at(0.01, group_runs(records), "displacement-error", "finer").empty());
   ReportInput input;
   input.records = records;
   const Evaluation evaluation = evaluate(input);

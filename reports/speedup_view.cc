@@ -51,7 +51,7 @@ std::vector<Cell> rival_cells(const Evaluation& evaluation, const SpeedUp& one) 
   }
   const Contender& rival = one.rival[0].contender;
   return {text_cell(rival_label(rival)),
-          text_cell(rival.integrator),
+          text_cell(describe_integrator(rival)),
           record_cell(&one.rival[0]),
           margin_cell(one),
           record_cell(&one.rival[1]),
@@ -93,15 +93,16 @@ std::vector<Column> speed_up_columns() {
 
 }  // namespace
 
+std::string range_text(const SpeedUp& one) {
+  if (one.rival.empty()) return "";
+  if (std::isnan(one.ratio_low)) return "single run";
+  const std::string high = std::isfinite(one.ratio_high) ? format_number(one.ratio_high) : "unbounded";
+  return format_number(one.ratio_low) + " to " + high;
+}
+
 Cell ratio_cell(const SpeedUp& one) {
   if (one.rival.empty()) return text_cell("none reached");
-  std::string text = format_number(one.ratio);
-  if (std::isnan(one.ratio_low)) {
-    text += " (single run)";
-  } else {
-    const std::string high = std::isfinite(one.ratio_high) ? format_number(one.ratio_high) : "unbounded";
-    text += " (" + format_number(one.ratio_low) + " to " + high + ")";
-  }
+  std::string text = format_number(one.ratio) + " (" + range_text(one) + ")";
   if (is_within_noise(one)) text += ", within noise";
   if (has_perturbed_time(one)) text += ", perturbed";
   return {.text = text, .value = one.ratio};

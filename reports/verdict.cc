@@ -38,13 +38,6 @@ std::string checks_sentence(const Verdict& verdict) {
   return text + ".";
 }
 
-// " over Q3 1x4, newmark, step 0.001 s, 2.9 times as exact; near miss 640"
-std::string over(const SpeedUp& one) {
-  const std::string text =
-      " over " + describe(one.rival[0].contender) + ", " + margin_cell(one).text + " times as exact";
-  return one.near_miss.empty() ? text : text + "; near miss " + miss_ratio_cell(one).text;
-}
-
 // "Median in the other norms: strain-error 12.3 (2 cases), surface-deviation none."
 std::string other_norms_sentence(const Evaluation& evaluation) {
   std::string text;
@@ -62,14 +55,11 @@ std::string speed_up_sentence(const Verdict& verdict) {
   const std::string at =
       "at " + format_number(100 * error_target, 1) + " % displacement error against " + headline_truth;
   if (verdict.at_target.empty()) return "Speed-up " + at + ": no reduced run is within that, error bar included.";
-  std::string text = "Speed-up " + at + ": ";
-  text += verdict.median ? "median " + format_number(*verdict.median) : std::string("none reached by any rival");
-  for (const SpeedUp& one : verdict.at_target) {
-    text += "; " + one.error.case_name + " " + ratio_cell(one).text + " (" + describe(one.error.contender);
-    if (!one.rival.empty()) text += over(one);
-    text += ")";
-  }
-  return text + ".";
+  const std::string of = verdict.median ? "median " + format_number(*verdict.median) : std::string("none");
+  return "Speed-up " + at + ": " + of + ", in " + std::to_string(verdict.n_compared) + " of " +
+         counted(verdict.at_target.size(), "case", "cases") +
+         " with a reduced run within that; the cheapest full-order run that is within it, too, over the cheapest "
+         "reduced one, whose errors differ.";
 }
 
 // Cases where the truth's error bar leaves open whether any reduced run is within the target.
@@ -140,8 +130,8 @@ int count_runs(const Evaluation& evaluation, bool (*is_counted)(const Record&)) 
 bool is_failed(const Record& record) { return !is_usable(record) && !is_undefined(record) && !is_unstable(record); }
 
 std::string unstable_sentence(int n) {
-  return counted(n, "explicit run is", "explicit runs are") + " unstable: their steps are beyond the limit, as the " +
-         "tables of step limits have it.";
+  return counted(n, "explicit run is unstable: its step is", "explicit runs are unstable: their steps are") +
+         " beyond the limit.";
 }
 
 // Names from a store are untrusted, and readers paste commands into a shell: only plain words become part of one.
@@ -156,7 +146,7 @@ bool is_plain_word(const std::string& text) {
 }  // namespace
 
 std::vector<SpeedUp> at_target(const Evaluation& evaluation, const std::string& norm) {
-  return cheapest_within(of_norm(evaluation.speed_ups, norm), headline_truth, error_target);
+  return speed_ups_at(error_target, evaluation.runs, norm, headline_truth);
 }
 
 std::vector<std::pair<std::string, SpeedUp>> headline_pairs(const Evaluation& evaluation) {
@@ -178,6 +168,7 @@ Verdict verdict_of(const Evaluation& evaluation) {
   verdict.sentences.push_back(checks_sentence(verdict));
   verdict.at_target = at_target(evaluation, headline_metric);
   verdict.median = median_ratio(verdict.at_target);
+  verdict.n_compared = std::ranges::count_if(verdict.at_target, [](const auto& one) { return !one.rival.empty(); });
   verdict.n_perturbed = std::ranges::count_if(verdict.at_target, has_perturbed_time);
   verdict.n_at_edge = std::ranges::count_if(verdict.at_target, stands_at_edge);
   if (!evaluation.input.records.empty()) {

@@ -12,7 +12,8 @@ namespace mb {
 struct Verdict {
   int n_cases = 0, n_cases_within = 0;  // within: every check of the case holds
   int n_checks = 0, n_hold = 0, n_not_decidable = 0, n_not_measured = 0;
-  std::vector<SpeedUp> at_target;       // a case: its cheapest reduced run within the error target
+  std::vector<SpeedUp> at_target;       // a case: its cheapest reduced run within the error target, see speed_ups_at
+  long n_compared = 0;                  // of at_target, those that have a rival
   std::optional<double> median;         // [-] speed-up over those that have a rival
   long n_perturbed = 0, n_at_edge = 0;  // of at_target, by has_perturbed_time and stands_at_edge
   int n_failed_runs = 0;                // runs with a measure that failed; undefined and unstable ones are none
@@ -21,11 +22,13 @@ struct Verdict {
 };
 Verdict verdict_of(const Evaluation& evaluation);
 
-// Of every case and profile the cheapest reduced run within the error target, by that norm against the headline's
-// truth.
+// Of every case and profile the cheapest reduced run over the cheapest full-order one, both within the error target by
+// that norm against the headline's truth.
 std::vector<SpeedUp> at_target(const Evaluation& evaluation, const std::string& norm);
 
 std::vector<std::pair<std::string, SpeedUp>> headline_pairs(const Evaluation& evaluation);  // norm, pair; all norms
+
+Sheet headline_table(const Evaluation& evaluation);  // the pairs of the headline's norm
 
 std::vector<std::string> reproducing_commands(const Evaluation& evaluation);
 

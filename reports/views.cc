@@ -22,8 +22,9 @@ struct MetricColumn {
 
 // Metrics that were recorded, the usual ones first, in one table for bodies and one for probes.
 std::vector<MetricColumn> metric_columns(const Evaluation& evaluation, bool probes) {
-  static constexpr const char* usual[] = {"displacement-error", "strain-error", "surface-deviation", "pose-translation",
-                                          "pose-rotation",      "probe-error",  "probe-magnitude",   "probe-phase"};
+  static constexpr const char* usual[] = {"displacement-error", "strain-error",    "surface-deviation",
+                                          "pose-translation",   "pose-rotation",   "probe-error",
+                                          "probe-von-mises",    "probe-magnitude", "probe-phase"};
   std::map<std::string, std::string> found;  // metric -> unit
   for (const Record& record : evaluation.input.records) {
     if (is_mark(record) && is_probe(record.metric) == probes) found.emplace(record.metric, record.unit);
@@ -38,6 +39,8 @@ std::vector<MetricColumn> metric_columns(const Evaluation& evaluation, bool prob
   for (const auto& [metric, unit] : found) columns.push_back({metric, unit});
   return columns;
 }
+
+std::string heading(const std::string& metric) { return metric == "probe-von-mises" ? "von Mises error" : metric; }
 
 struct Answer {
   std::string truth, subject;
@@ -71,7 +74,8 @@ Sheet metric_table(const Evaluation& evaluation, std::string name, std::string t
   Sheet table{.name = std::move(name), .title = std::move(title), .note = "", .columns = {}, .rows = {}};
   table.columns = {{"case", ""}, {"profile", ""}, {"truth", ""}, {probes ? "probe" : "body", ""}};
   for (Column& column : contender_columns()) table.columns.push_back(std::move(column));
-  for (const MetricColumn& metric : metrics) table.columns.push_back({metric.metric, metric.unit, Kind::error});
+  for (const MetricColumn& metric : metrics)
+    table.columns.push_back({heading(metric.metric), metric.unit, Kind::error});
   table.columns.push_back({"online time", "s", Kind::time});
   table.columns.push_back({"offline time", "s", Kind::time});
   for (const Run& run : evaluation.runs) {
@@ -94,12 +98,18 @@ std::string bound(const Check& check) {
   return check.at_least ? ">= " + format_setting(*check.at_least) : "no bound";
 }
 
+// Close to its bound a value has the digits that tell it from it: 1.000000 rather than 1.00 against 0.999.
 Cell measured_cell(const CheckResult& result) {
-  if (!result.measured) return {.text = "none", .value = {}, .bar = {}, .status = result.status};
-  return {.text = format_with_bar(result.value, result.error_bar),
-          .value = result.value,
-          .bar = result.error_bar,
-          .status = "ok"};
+  if (!result.measured) return text_cell("none");
+  const double bound = result.check.at_most ? *result.check.at_most : result.check.at_least.value_or(0);
+  const bool is_close = std::abs(result.value - bound) <= 0.01 * std::abs(bound);
+  return {.text = is_close ? format_number(result.value, 7) : format_with_bar(result.value, result.error_bar),
+          .value = result.value};
+}
+
+Cell bar_cell(const CheckResult& result) {
+  if (!result.measured || !(result.error_bar > 0)) return text_cell("");
+  return {.text = format_number(result.error_bar, 2), .value = result.error_bar};
 }
 
 std::string verdict(const CheckResult& result) {
@@ -138,20 +148,6 @@ std::optional<double> simulated_seconds(const Evaluation& evaluation, const Run&
   return scene && scene->duration > 0 ? std::optional(scene->duration) : std::nullopt;
 }
 
-std::vector<std::string> truth_sentences(const Evaluation& evaluation, const Scene& scene) {
-  std::map<std::tuple<std::string, std::string, std::string>, std::string> said;  // by truth, metric and subject
-  for (const Record& record : evaluation.input.records) {
-    if (!is_of_truth(record) || record.case_name != scene.name || record.profile != scene.profile) continue;
-    std::string text = "Of the truth " + record.truth + ": " + record.metric + " " + format_record(record);
-    if (!record.unit.empty() && record.unit != "-") text += " " + record.unit;
-    if (!record.subject.empty()) text += " (" + record.subject + ")";
-    said[{record.truth, record.metric, record.subject}] = text + ".";
-  }
-  std::vector<std::string> sentences;
-  for (const auto& [key, sentence] : said) sentences.push_back(sentence);
-  return sentences;
-}
-
 Sheet checks_table(const Evaluation& evaluation) {
   Sheet table{.name = "checks", .title = "Checks", .note = "What the case files demand.", .columns = {}, .rows = {}};
   table.columns = {{"case", ""},
@@ -160,7 +156,8 @@ Sheet checks_table(const Evaluation& evaluation) {
                    {"method", ""},
                    {"r", "", Kind::number},
                    {"what", ""},
-                   {"measured", "", Kind::error},
+                   {"measured", "", Kind::number},
+                   {"error bar", "", Kind::number},
                    {"bound", ""},
                    {"verdict", ""},
                    {"why", ""}};
@@ -168,8 +165,8 @@ Sheet checks_table(const Evaluation& evaluation) {
     table.rows.push_back({text_cell(result.case_name), text_cell(result.profile), text_cell(result.check.truth),
                           text_cell(result.check.method),
                           result.check.method.empty() ? text_cell("") : count_cell(result.check.modes),
-                          text_cell(subject_of(result.check)), measured_cell(result), text_cell(bound(result.check)),
-                          text_cell(verdict(result)), text_cell(result.check.why)});
+                          text_cell(subject_of(result.check)), measured_cell(result), bar_cell(result),
+                          text_cell(bound(result.check)), text_cell(verdict(result)), text_cell(result.check.why)});
   }
   return table;
 }

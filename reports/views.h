@@ -31,6 +31,8 @@ const Run* run_of(const Evaluation& evaluation, const Record& record);
 std::optional<double> simulated_seconds(const Evaluation& evaluation,
                                         const Run& run);  // [s]; none where the scene is unknown
 
+std::string range_text(const SpeedUp& speed_up);  // "340 to 370", "single run"; "" where no rival
+
 // "354 (340 to 370)", "0.9 (0.7 to 1.2), within noise", "12 (single run), perturbed", "none reached"
 Cell ratio_cell(const SpeedUp& speed_up);
 Cell margin_cell(const SpeedUp& speed_up);      // how much more exact the rival is: "2.9"; "" where none
@@ -46,7 +48,11 @@ struct Failure {
 };
 std::vector<Failure> failures_of(const Evaluation& evaluation);
 
-// What the records say of the truths of a case themselves: "Of the truth finer: truth-above-band 7.5e-6 (cylinder)."
+// "bar: box of 1 x 0.1 x 0.1 m; E = ...; fixed at x-min; undamped; mesh Q2 8x1x1. Loads: tip (step): 10 Pa on x-max."
+std::string case_line(const Evaluation& evaluation, const Scene& scene);
+
+// What the records say of the truths of a case themselves: "Of the truth finer: share of kinetic energy above 30 Hz:
+// 7.5e-6 (cylinder)."
 std::vector<std::string> truth_sentences(const Evaluation& evaluation, const Scene& scene);
 
 Sheet checks_table(const Evaluation& evaluation);

@@ -69,6 +69,7 @@ export interface Report {
     not_decidable: number;
     not_measured: number;
     at_target: number;
+    compared: number;
     failed_runs: number;
     unstable_runs: number;
     median: string | null;
@@ -80,6 +81,7 @@ export interface Report {
     title: string;
     purpose: string;
     source: string;
+    line: string;
     truth: string[];
     duration: number;
     frame_rate: number;

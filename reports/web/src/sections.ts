@@ -31,6 +31,7 @@ export function drawCases(report: Report): void {
           `${one.name} · profile ${one.profile} · ${one.duration} s · ${one.frame_rate} frames/s · ` +
             `${one.samples_per_second} samples/s`,
         ),
+        make('p', {}, one.line),
         make('p', {}, [one.purpose, ...one.truth].join(' ')),
         ...(one.source ? [make('p', { class: 'note' }, `Source: ${one.source}`)] : []),
       ),

@@ -3,6 +3,7 @@ import { byId, make } from './dom';
 import { download } from './download';
 import { environmentOf } from './report';
 import type { Report } from './report';
+import { TableView } from './table';
 
 type Mood = 'good' | 'bad' | 'warn' | 'plain';
 const symbols: Record<Mood, string> = { good: '✔', bad: '✘', warn: '⚠', plain: '' };
@@ -45,7 +46,8 @@ function tiles(report: Report): HTMLElement {
       v.median ? `${v.median}×` : 'none reached',
       'speed-up at 1 % error',
       v.at_target
-        ? `median over ${v.at_target} ${v.at_target === 1 ? 'case' : 'cases'}, equal displacement error, truth finer`
+        ? `median over ${v.compared} of ${v.at_target} ${v.at_target === 1 ? 'case' : 'cases'}; ` +
+          'both runs within 1 % displacement error, truth finer'
         : contenders
           ? 'no reduced run is within 1 % with its error bar'
           : 'nothing was run',
@@ -54,7 +56,7 @@ function tiles(report: Report): HTMLElement {
     tile(
       String(v.failed_runs),
       'failed runs',
-      `of ${contenders} contenders` + (v.unstable_runs ? `; ${v.unstable_runs} explicit ones are unstable` : ''),
+      `of ${contenders} contenders` + (v.unstable_runs ? `; ${v.unstable_runs} explicit unstable` : ''),
       v.failed_runs ? 'bad' : contenders ? 'good' : 'plain',
     ),
     tile(
@@ -72,6 +74,8 @@ export function drawVerdict(report: Report): void {
     tiles(report),
     make('ul', { class: 'sentences' }, ...report.verdict.sentences.map((one) => make('li', {}, one))),
   );
+  const pairs = report.tables['speed-up-at-target'];
+  if (pairs.rows.length) section.append(make('h3', {}, pairs.title), new TableView(pairs).element);
   const all = make('button', { type: 'button', id: 'download-all' }, 'Everything as JSON');
   all.addEventListener('click', () => download('modalbench-report.json', 'application/json', JSON.stringify(report)));
   const print = make('button', { type: 'button', id: 'print' }, 'Print');

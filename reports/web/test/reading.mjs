@@ -18,6 +18,12 @@ async function showsTheVerdict({ page }) {
   assert.ok((await page.locator('.sentences li').count()) >= 3);
 }
 
+async function listsThePairsOfTheHeadline({ page, data }) {
+  const { tables, verdict } = await data();
+  assert.equal(tables['speed-up-at-target'].rows.length, verdict.at_target);
+  assert.equal(await page.locator('#verdict tbody tr').count(), verdict.at_target);
+}
+
 async function drawsBothPlots({ page, marks }) {
   assert.ok((await marks('work')) > 10, 'work against precision has marks');
   assert.ok((await marks('modes')) > 4, 'error against modes has marks');
@@ -39,7 +45,7 @@ async function drawsStepsAndFindings({ page, data, choice, marks, areDrawn }) {
   assert.ok((await marks('steps')) > 4, 'error against step has marks');
   const legend = await page.$$eval('#steps svg .role-legend-label text', (all) => all.map((one) => one.textContent));
   assert.ok(
-    legend.some((text) => /: dt\^-?\d/.test(text)),
+    legend.some((text) => /: dt\^\d/.test(text)),
     `orders in the legend: ${legend.join('; ')}`,
   );
   const { findings, plots } = await data();
@@ -110,7 +116,7 @@ async function showsFailedRunsAsFailed({ page, cells, data, choice }) {
 async function saysWhatIsKnownOfTruths({ page, data }) {
   const { cases } = await data();
   const text = await page.locator('#cases').allTextContents();
-  for (const sentence of cases.flatMap((one) => one.truth)) assert.ok(text.join(' ').includes(sentence), sentence);
+  for (const sentence of cases.flatMap((one) => [one.line, ...one.truth])) assert.ok(text.join(' ').includes(sentence), sentence);
 }
 
 async function namesEveryEnvironment({ page, data }) {
@@ -135,13 +141,14 @@ async function keepsPictures({ page, picture, out }) {
 export const steps = [
   ['opens from disk, page below 8 MB, first paint below 1 s', opens],
   ['shows the verdict', showsTheVerdict],
+  ['lists the pairs of the headline', listsThePairsOfTheHeadline],
   ['draws both plots', drawsBothPlots],
   ['draws the step figure and what analyses found', drawsStepsAndFindings],
   ['labels of bars can be read', labelsBarsInFull],
   ['symbols stand beside colours', setsSymbolsBesideColours],
   ['a claim leads to its evidence', leadsFromAClaimToItsEvidence],
   ['failed runs are shown as failed', showsFailedRunsAsFailed],
-  ['cases say what is known of their truths', saysWhatIsKnownOfTruths],
+  ['cases say what they are and what is known of their truths', saysWhatIsKnownOfTruths],
   ['every environment is named', namesEveryEnvironment],
   ['pictures are kept', keepsPictures],
 ];
