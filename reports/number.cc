@@ -22,6 +22,8 @@ std::string format_number(double value, int digits) {
   return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent));
 }
 
+std::string percent(double fraction) { return format_number(100 * fraction, 1) + " %"; }
+
 std::string format_setting(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "not finite"; }
 
 std::string exact_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }

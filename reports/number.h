@@ -12,6 +12,8 @@ namespace mb {
 // finite".
 std::string format_number(double value, int digits = 3);
 
+std::string percent(double fraction);  // of a target: 0.05 is "5 %"
+
 // A number that somebody chose: no more digits than it has, at most six. 0.0025, 1e-6.
 std::string format_setting(double value);
 

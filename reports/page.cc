@@ -132,7 +132,7 @@ std::vector<std::string> truths_of(const Evaluation& evaluation) {
     const bool known = std::find(truths.begin(), truths.end(), record.truth) != truths.end();
     if (is_mark(record) && !known) truths.push_back(record.truth);
   }
-  std::ranges::sort(truths, {}, [](const std::string& one) { return std::pair(one != headline_truth, one); });
+  std::ranges::sort(truths, {}, [](const std::string& one) { return std::pair(one != "finer", one); });
   return truths;
 }
 

@@ -100,6 +100,16 @@ bool is_usable(const Record& record) { return record.status == "ok" && std::isfi
 
 bool is_unstable(const Record& record) { return record.status == "unstable"; }
 
+std::string best_truth(const Run& run, const std::string& metric) {
+  const bool has_exact = std::ranges::any_of(
+      run.measures, [&](const auto& entry) { return entry.first.metric == metric && entry.first.truth == "exact"; });
+  return has_exact ? "exact" : "finer";
+}
+
+bool is_against_best(const Run& run, const Measure& measure) {
+  return measure.truth == best_truth(run, measure.metric);
+}
+
 bool is_undefined(const Record& record) { return record.status.starts_with("undefined"); }
 
 double counted_error(const Record& record) { return std::max(std::abs(record.value), record.error_bar.value_or(0)); }

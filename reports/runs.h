@@ -46,7 +46,11 @@ bool is_mark(const Record& record);                // a contender against a trut
 bool is_usable(const Record& record);              // status ok and a finite value
 bool is_unstable(const Record& record);            // an explicit integrator beyond its step limit: a result
 bool is_undefined(const Record& record);           // the metric has no meaning here: no fault of the contender
-double counted_error(const Record& record);        // |value|, or the error bar where that is larger: to compare runs
+// The truth that a run is held to by that metric: `exact` where a closed form graded it, `finer` otherwise.
+std::string best_truth(const Run& run, const std::string& metric);
+bool is_against_best(const Run& run, const Measure& measure);
+
+double counted_error(const Record& record);  // |value|, or the error bar where that is larger: to compare runs
 
 // What the error is at most and at least, as far as its bar can tell: to compare it with a bound.
 double largest_error(const Record& record);   // |value| + bar

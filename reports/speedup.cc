@@ -129,15 +129,14 @@ std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::st
   return results;
 }
 
-std::vector<SpeedUp> speed_ups_at(double target, const std::vector<Run>& runs, const std::string& metric,
-                                  const std::string& truth) {
+std::vector<SpeedUp> speed_ups_at(double target, const std::vector<Run>& runs, const std::string& metric) {
   const Sweeps sweeps = full_order_sweeps(runs);
   const auto is_within = [&](const Record& error) { return largest_error(error) <= target; };
   std::map<std::pair<std::string, std::string>, SpeedUp> best;  // by case and profile
   for (const auto& [key, sides] : sides_of(runs, metric)) {
     const auto& [case_name, profile, measure] = key;
-    const Candidate* reduced = measure.truth == truth ? cheapest_of(sides.reduced, is_within) : nullptr;
-    if (!reduced) continue;
+    const Candidate* reduced = cheapest_of(sides.reduced, is_within);
+    if (!reduced || !is_against_best(*reduced->run, measure)) continue;
     const Candidate* rival = cheapest_of(sides.full_order, is_within);
     const Candidate* miss = rival ? dearest_below(*rival, sides.full_order) : nullptr;
     const SpeedUp one = against(*reduced, rival, miss, sweeps);

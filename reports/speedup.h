@@ -17,10 +17,10 @@ std::vector<SpeedUp> of_norm(const std::vector<SpeedUp>& all, const std::string&
 std::vector<SpeedUp> on_front(const std::vector<SpeedUp>& all);
 
 // Of every case and profile the cheapest reduced run within the target over the cheapest full-order one: both have an
-// error against `truth` that is at most `target` [-], error bar included. Their errors differ. The near miss is the
-// dearest of the full-order runs that are cheaper than the rival: none of them is sure to be within the target.
-std::vector<SpeedUp> speed_ups_at(double target, const std::vector<Run>& runs, const std::string& metric,
-                                  const std::string& truth);
+// error against the best truth (runs.h) that is at most `target` [-], error bar included. Their errors differ. The near
+// miss is the dearest of the full-order runs that are cheaper than the rival: none of them is sure to be within the
+// target.
+std::vector<SpeedUp> speed_ups_at(double target, const std::vector<Run>& runs, const std::string& metric);
 
 // [-] >= 1: counted error of the reduced run over its rival's, infinite where the latter is 0. Contenders are steps and
 // meshes of a sweep, so that the rival is always somewhat too exact. Needs a rival.

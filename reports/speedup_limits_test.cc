@@ -93,9 +93,9 @@ TEST(OtherMachines, GiveNoRival) {
 TEST(ErrorTarget, IsReachedWhereErrorAndBarAreWithinIt) {
   std::vector<Record> records = a_pair("1", "1");
   records[0].error_bar = 5e-3;
-  EXPECT_EQ(speed_ups_at(0.01, group_runs(records), "displacement-error", "finer").size(), 1u);
+  EXPECT_EQ(speed_ups_at(0.01, group_runs(records), "displacement-error").size(), 1u);
   records[0].error_bar = 6e-3;  // may be 1.1 %
-  EXPECT_TRUE(speed_ups_at(0.01, group_runs(records), "displacement-error", "finer").empty());
+  EXPECT_TRUE(speed_ups_at(0.01, group_runs(records), "displacement-error").empty());
   ReportInput input;
   input.records = records;
   const Evaluation evaluation = evaluate(input);

@@ -36,7 +36,7 @@ SpeedUp only(const std::vector<Record>& records) {
 }
 
 std::vector<SpeedUp> at(double target, const std::vector<Record>& records) {
-  return speed_ups_at(target, group_runs(records), "displacement-error", "finer");
+  return speed_ups_at(target, group_runs(records), "displacement-error");
 }
 
 TEST(SpeedUps, TakesTheCheapestRivalThatIsAsExact) {
@@ -182,20 +182,37 @@ TEST(SpeedUps, TheHeadlineHoldsBothSidesToTheTargetAlone) {
   EXPECT_TRUE(at(0.01, records).at(0).rival.empty());
 }
 
+TEST(SpeedUps, AClosedFormReplacesTheFinerTruth) {
+  std::vector<Record> records;
+  add(records, reduced("eigenmodes", 8), 0.004, 0.02, 2, 0);  // its bar leaves 1 % open
+  add(records, full(2, {1, 2}, 0.01), 0.004, 0.02, 10, 0);
+  EXPECT_TRUE(at(0.01, records).empty());
+  EXPECT_DOUBLE_EQ(at(0.05, records).at(0).ratio, 5);
+  for (const std::size_t i : {0u, 2u}) {
+    Record exact = records.at(i);
+    exact.truth = "exact";
+    exact.error_bar = 0;
+    records.push_back(exact);
+  }
+  EXPECT_DOUBLE_EQ(at(0.01, records).at(0).ratio, 5);
+  EXPECT_EQ(at(0.05, records).at(0).error.truth, "exact");
+}
+
 TEST(SpeedUps, TheHeadlineStandsInATableOfPairs) {
   ReportInput input;
   add(input.records, reduced("eigenmodes", 8), 1e-5, 0, 2, 0.1);
   add(input.records, full(2, {1, 2}, 0.01), 0.007, 0.002, 10, 0.1);
   add(input.records, full(3, {1, 2}, 0.01), 1e-5, 0, 900, 1);
   const Sheet table = headline_table(evaluate(input));
-  ASSERT_EQ(table.rows.size(), 1u);
+  ASSERT_EQ(table.rows.size(), 2u);  // at 1 % and at 5 %
+  EXPECT_EQ(table.rows[1][2].text, "5 %");
   std::vector<std::string> texts;
   for (const Cell& cell : table.rows[0]) texts.push_back(cell.text);
-  EXPECT_EQ(texts[2], "eigenmodes, r = 8");
-  EXPECT_EQ(texts[4], "Q2 1x2, newmark, step 0.01 s");
-  EXPECT_EQ(texts[6], "5.00");
-  EXPECT_EQ(texts[7], "4.71 to 5.32");
-  EXPECT_EQ(texts[9], "rival at the edge of its sweep: largest time step");
+  EXPECT_EQ(texts[3], "eigenmodes, r = 8");
+  EXPECT_EQ(texts[5], "Q2 1x2, newmark, step 0.01 s");
+  EXPECT_EQ(texts[7], "5.00");
+  EXPECT_EQ(texts[8], "4.71 to 5.32");
+  EXPECT_EQ(texts[10], "rival at the edge of its sweep: largest time step");
   const std::string sentence = verdict_of(evaluate(input)).sentences.at(1);
   EXPECT_EQ(sentence.find("eigenmodes"), std::string::npos);  // pairs stand in the table alone
   EXPECT_NE(sentence.find("median 5.00, in 1 of 1 case with a reduced run"), std::string::npos) << sentence;

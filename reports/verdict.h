@@ -22,9 +22,9 @@ struct Verdict {
 };
 Verdict verdict_of(const Evaluation& evaluation);
 
-// Of every case and profile the cheapest reduced run over the cheapest full-order one, both within the error target by
-// that norm against the headline's truth.
-std::vector<SpeedUp> at_target(const Evaluation& evaluation, const std::string& norm);
+// Of every case and profile the cheapest reduced run over the cheapest full-order one, both within the target [-] by
+// that norm against the best truth.
+std::vector<SpeedUp> at_target(const Evaluation& evaluation, const std::string& norm, double target = error_target);
 
 std::vector<std::pair<std::string, SpeedUp>> headline_pairs(const Evaluation& evaluation);  // norm, pair; all norms
 

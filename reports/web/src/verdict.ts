@@ -47,7 +47,7 @@ function tiles(report: Report): HTMLElement {
       'speed-up at 1 % error',
       v.at_target
         ? `median over ${v.compared} of ${v.at_target} ${v.at_target === 1 ? 'case' : 'cases'}; ` +
-          'both runs within 1 % displacement error, truth finer'
+          'both runs within 1 % displacement error'
         : contenders
           ? 'no reduced run is within 1 % with its error bar'
           : 'nothing was run',
