@@ -19,9 +19,8 @@ class PreparedAtRest final : public mb::Prepared {
     mb::Trajectory answer;
     answer.t = sampling.t;
     for (const mb::EvaluationPoints& points : points_)
-      answer.bodies.push_back(
-          {.displacement = mb::MatrixXd::Zero(3 * points.size(), n_t),
-           .strain = mb::MatrixXd::Zero(6 * points.n_strained(), sampling.strain ? n_t : 0)});
+      answer.bodies.push_back({.displacement = mb::MatrixXd::Zero(3 * points.size(), n_t),
+                               .strain = mb::MatrixXd::Zero(6 * points.n_strained(), sampling.strain ? n_t : 0)});
     return answer;
   }
 

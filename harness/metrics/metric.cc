@@ -21,8 +21,8 @@ void expect_body(const Trajectory& trajectory, const MetricContext& context) {
   const BodyTrajectory& body = trajectory.bodies[static_cast<std::size_t>(context.body)];
   expect(body.displacement.rows() == 3 * context.points.size() && body.displacement.cols() == trajectory.t.size(),
          "metric: an answer has other points or times than its context");
-  expect(body.strain.cols() == 0 || (body.strain.rows() == 6 * context.points.n_strained() &&
-                                     body.strain.cols() == trajectory.t.size()),
+  expect(body.strain.cols() == 0 ||
+             (body.strain.rows() == 6 * context.points.n_strained() && body.strain.cols() == trajectory.t.size()),
          "metric: an answer has strains at other points or times than its context");
 }
 

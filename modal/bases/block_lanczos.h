@@ -30,9 +30,9 @@ struct Krylov {
 
 // known: n x m, m >= 0, M-orthonormal eigenvectors to stay away from; start: n x block, of full rank beside them.
 // missing: told the eigenvalues found so far, from the largest on without a gap, how many more are wanted at the least;
-// 0 ends the search. All that are found come back, fewer than wanted only where T leaves the span of what start leads to;
-// the same start gives the same answer. Throws std::invalid_argument on bad sizes, std::runtime_error after 100 restarts or where T gives
-// what is not finite.
+// 0 ends the search. All that are found come back, fewer than wanted only where T leaves the span of what start leads
+// to; the same start gives the same answer. Throws std::invalid_argument on bad sizes, std::runtime_error after 100
+// restarts or where T gives what is not finite.
 EigenPairs largest_pairs(const BlockOperator& T, const BlockProduct& M, const MatrixXd& known, const MatrixXd& start,
                          const std::function<Index(const VectorXd& theta)>& missing, const Krylov& krylov);
 

@@ -26,8 +26,5 @@ ElasticModes elastic_modes(const System& system, int n_elastic, const ShiftedFac
 // -0.01 E/(rho l^2) [1/s^2], l the largest extent: well below the first elastic eigenvalue, (pi c/l)^2 for a rod, and
 // far enough from zero that K - sigma M of a free body is well conditioned.
 double physical_shift(const Body& body);
-// [1/s^2] -lambda_1 / 100 from the system alone, lambda_1 within a factor of 2 by a few inverse iterations: well
-// conditioned and close to the elastic spectrum. Costs one factorisation.
-double default_shift(const System& system);
 
 }  // namespace mb

@@ -123,8 +123,6 @@ TEST(LowestModes, DoNotDependOnTheShift) {
     ASSERT_EQ(other.size(), modes.size());
     EXPECT_LT(largest_relative_difference(other.omega.tail(16), modes.omega.tail(16)), 1e-10) << factor;
   }
-  const Modes other = lowest_modes(beam, 16, default_shift(beam));
-  EXPECT_LT(largest_relative_difference(other.omega.tail(16), modes.omega.tail(16)), 1e-10);
 }
 
 TEST(LowestModes, DoNotDependOnTheNumbering) {
@@ -144,11 +142,11 @@ TEST(LowestModes, DoNotDependOnTheNumbering) {
 
 TEST(LowestModes, ScaleWithStiffnessAndMass) {
   System beam = free_beam(3);
-  const Modes modes = lowest_modes(beam, 12, default_shift(beam));
+  const Modes modes = lowest_modes(beam, 12, beam_shift);
   beam.K *= 1e7;
   beam.M *= 4;
   beam.R /= 2;
-  const Modes other = lowest_modes(beam, 12, default_shift(beam));
+  const Modes other = lowest_modes(beam, 12, 1e7 / 4 * beam_shift);
   EXPECT_LT(largest_relative_difference(other.omega.tail(12), std::sqrt(1e7 / 4) * modes.omega.tail(12)), 1e-10);
 }
 

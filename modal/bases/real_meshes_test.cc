@@ -11,7 +11,7 @@ using testing::with_supports;
 
 Modes modes_of(const Scene& scene, int n_elastic) {
   const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
-  return lowest_modes(model->system(), n_elastic, default_shift(model->system()));
+  return lowest_modes(model->system(), n_elastic, physical_shift(scene.bodies[0]));
 }
 
 TEST(SlipBoxVerification, DiscreteSpectrumOfTrilinearCubes) {
