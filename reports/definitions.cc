@@ -3,8 +3,7 @@
 namespace mb {
 namespace {
 
-// Words of this folder alone: metrics and times are defined where they are measured.
-constexpr std::pair<const char*, const char*> own_words[] = {
+constexpr std::pair<const char*, const char*> words[] = {
     {"truth finer",
      "A full-order answer of higher degree or on a finer mesh, integrated tightly: errors against it "
      "hold truncation, time stepping and discretisation."},
@@ -76,10 +75,16 @@ constexpr std::pair<const char*, const char*> own_words[] = {
 
 }  // namespace
 
+std::vector<Explanation> own_words() {
+  std::vector<Explanation> all;
+  for (const auto& [term, text] : words) all.push_back({term, text});
+  return all;
+}
+
 std::vector<Explanation> definitions(const Evaluation& evaluation) {
   std::vector<Explanation> all;
   for (const auto& [metric, text] : evaluation.input.metric_docs) all.push_back({metric, text});
-  for (const auto& [term, text] : own_words) all.push_back({term, text});
+  for (Explanation& one : own_words()) all.push_back(std::move(one));
   return all;
 }
 

@@ -11,7 +11,9 @@ namespace mb {
 struct Explanation {
   std::string term, text;
 };
-// Metrics as they were given, where they are measured, then the report's own words.
+std::vector<Explanation> own_words();  // of this folder alone: metrics and times are defined where they are measured
+
+// Metrics as they were given, then the report's own words.
 std::vector<Explanation> definitions(const Evaluation& evaluation);
 
 }  // namespace mb

@@ -13,6 +13,8 @@
 #include "harness/commands/paragraph.h"
 #include "harness/metrics/definitions.h"
 #include "harness/study/plan.h"
+#include "reports/claims.h"
+#include "reports/definitions.h"
 
 namespace mb {
 
@@ -27,6 +29,15 @@ struct Meaning {
 Meaning of_catalogue(const std::string& kind, const std::string& name, const std::string& doc) {
   const Formula formula = formula_of(name);
   return {kind, name, {{"", doc}, {"formula", formula.formula}, {"source", formula.source}}};
+}
+
+// Claims as they stand where nothing is measured.
+std::vector<Meaning> words_of_reports() {
+  std::vector<Meaning> all;
+  for (const Explanation& one : own_words()) all.push_back({"word of reports", one.term, {{"", one.text}}});
+  for (const Claim& claim : claims(evaluate({})))
+    all.push_back({"claim of the paper", claim.id, {{"", claim.statement + "."}, {"judged by", claim.criterion}}});
+  return all;
 }
 
 std::vector<Meaning> vocabulary(const Catalogue& catalogue) {
@@ -47,6 +58,7 @@ std::vector<Meaning> vocabulary(const Catalogue& catalogue) {
                       {key.fallback.starts_with("required") ? "needed" : "default", key.fallback},
                       {"for example",
                        key.example.empty() ? "" : key.path.substr(key.path.rfind('.') + 1) + " = " + key.example}}});
+  for (Meaning& one : words_of_reports()) all.push_back(std::move(one));
   return all;
 }
 
@@ -81,9 +93,10 @@ void print(const Meaning& meaning, std::ostream& out) {
     if (!text.empty()) out << paragraph(text, "  " + (label.empty() ? "" : label + ": "), "    ");
 }
 
-// Keys by their whole path or its last parts: "density", "material.density".
+// Keys by their whole path or its last parts: "density", "material.density"; words of reports by their first:
+// "speed-up".
 bool is_named(const Meaning& meaning, const std::string& word) {
-  return meaning.name == word || meaning.name.ends_with("." + word);
+  return meaning.name == word || meaning.name.ends_with("." + word) || meaning.name.starts_with(word + " ");
 }
 
 std::vector<std::string> known_words(const std::vector<Meaning>& meanings) {

@@ -31,7 +31,9 @@ TEST(ExplainTest, SaysWhatEachKindOfWordMeans) {
                                                        {"rod-step", "closed form"},
                                                        {"body.material.density", "kg/m^3"},
                                                        {"density", "kg/m^3"},
-                                                       {"load.history.kind", "pulse: A sin^2"}};
+                                                       {"load.history.kind", "pulse: A sin^2"},
+                                                       {"speed-up", "cheapest full-order run"},
+                                                       {"C2", "judged by: "}};
   for (const auto& [word, told_of_it] : words) {
     const test::Told said = explain(folder.path(), word);
     EXPECT_EQ(said.code, 0) << word;

@@ -105,8 +105,10 @@ Outcome run_all(const Scenes& scenes, const Catalogue& catalogue, const Store& s
   Outcome outcome;
   for (const auto& scene : scenes) try {
       const CaseOutcome one = run_case(scene, catalogue, store, options, progress);
-      fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed\n", scene->name, one.n_run, one.n_stored,
-                 store.directory().string(), one.n_failed);
+      const bool may_be_old = one.n_failed > 0 && one.n_stored > 0;
+      fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed{}\n", scene->name, one.n_run, one.n_stored,
+                 store.directory().string(), one.n_failed,
+                 may_be_old ? "; a failure that is stored stays until --again" : "");
       outcome.n_failed += one.n_failed;
       outcome.finished.push_back(*scene);
       if ((outcome.interrupted = one.interrupted)) break;
