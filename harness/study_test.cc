@@ -129,7 +129,14 @@ TEST(Front, HoldsWhatNoOtherRunBeatsAndWasTimedOnce) {
   add("best", 1e-2, 1.0, true);
   add("below-bar", 5e-4, 2.0, true);
   add("further-below", 1e-4, 9.0, true);  // both count as the bar: the cheaper one decides
+  add("within-5-percent", 3e-2, 1.2, false);
+  add("no-better-by-its-value", 2.9e-2, 2.0, true);
   EXPECT_THAT(dear_front(records), testing::UnorderedElementsAre("best", "below-bar"));
+  records.push_back(timed("dear", 4.0, true));  // its bar is less: the first that is sure to be within 1 %
+  records.push_back(marked("dear", 9e-3, 5e-4));
+  EXPECT_THAT(dear_front(records), testing::UnorderedElementsAre("best", "below-bar"));
+  std::erase_if(records, [](const Record& r) { return r.run == "below-bar" || r.run == "further-below"; });
+  EXPECT_THAT(dear_front(records), testing::UnorderedElementsAre("best", "dear"));
   EXPECT_TRUE(dear_front({}).empty());
 }
 

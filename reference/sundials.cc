@@ -20,7 +20,7 @@ namespace {
 
 using Vector = Eigen::Map<VectorXd>;
 constexpr long max_steps = 2'000'000;
-constexpr double longest_step = 0.05;         // [-] of the duration
+constexpr double longest_step = 0.25;         // [-] of the duration
 constexpr double expression_resolved = 0.01;  // [-] of its peak
 
 struct Scales {

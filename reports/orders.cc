@@ -71,8 +71,9 @@ ObservedOrder fit_order(std::vector<OrderPoint> points) {
                        .why_none = "fewer than three points"};
   if (points.size() < 3) return result;
   const Line line = least_squares(points);
-  result.why_none = line.slope > 0 ? "" : "error does not fall";  // an error of another kind rules it: the mesh's, r's
-  if (!result.why_none.empty()) return result;
+  const bool falls = line.slope >= least_order && line.slope >= 2 * line.standard_error;
+  result.why_none = falls ? "" : "error does not fall";
+  if (!falls) return result;
   result.order = line.slope;
   result.standard_error = line.standard_error;
   return result;

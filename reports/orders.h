@@ -6,7 +6,8 @@
 // not above 5 times what hides it (the truth's bar, or a known floor such as the same basis without time stepping).
 // Going from coarse to fine, the curve has flattened where the last refinement falls short of half the slope that the
 // points before it have: the last point goes, again and again, and at its end the smallest error is a floor, of which
-// points within a factor 3 go too: a floor f that adds as sqrt(e^2 + f^2) then bends them by less than 6 %.
+// points within a factor 3 go too: a floor f that adds as sqrt(e^2 + f^2) then bends them by less than 6 %. No order is
+// given where p < 0.1 or p is less than twice its standard error: an error of another kind rules it.
 #pragma once
 
 #include <string>
@@ -16,7 +17,8 @@
 
 namespace mb {
 
-inline constexpr double unresolved = 0.5, bars_clear = 5, floors_clear = 3;  // [-] the rule above
+inline constexpr double unresolved = 0.5, bars_clear = 5, floors_clear = 3,
+                        least_order = 0.1;  // [-] the rule above
 
 struct OrderPoint {
   double h;       // > 0: time step [s], tolerance [-] or 1/r [-]

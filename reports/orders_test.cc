@@ -77,6 +77,9 @@ TEST(ObservedOrders, ErrorsThatDoNotFallHaveNoFineOrder) {
   EXPECT_TRUE(std::isnan(fit_order(rising).order));
   EXPECT_EQ(fit_order(rising).why_none, "error does not fall");
   EXPECT_EQ(fit_order({{1, 0.1, 0}, {0.5, 0.1, 0}, {0.25, 0.1, 0}}).why_none, "error does not fall");
+  EXPECT_EQ(fit_order(power_law(0.05, 0, 4)).why_none, "error does not fall");
+  EXPECT_EQ(fit_order({{1, 0.1, 0}, {0.5, 0.02, 0}, {0.25, 0.09, 0}, {0.125, 0.018, 0}}).why_none,
+            "error does not fall");  // by scatter
   EXPECT_EQ(fit_order(power_law(1, 0, 2)).why_none, "fewer than three points");
   EXPECT_EQ(fit_order(power_law(1, 0, 3)).why_none, "");
 }

@@ -28,7 +28,7 @@ std::vector<Column> side_columns(const std::string& side) {
   return columns;
 }
 
-std::vector<Cell> side_cells(const Run* run, const Work& work) {
+std::vector<Cell> side_cells(const Run* run) {
   std::vector<Cell> cells;
   const auto add = [&](const std::optional<Record>& time) { cells.push_back(record_cell(time ? &*time : nullptr)); };
   const Run none{};
@@ -37,6 +37,7 @@ std::vector<Cell> side_cells(const Run* run, const Work& work) {
        {of.assembly, rest(of.offline, of.assembly), of.offline, of.stepping, rest(of.online, of.stepping), of.online}) {
     add(time);
   }
+  const Work work = of.online ? of.online->work : Work{};
   const bool takes_no_steps = of.contender.integrator == "exact";  // what is counted is modes times sample times
   cells.push_back(takes_no_steps ? text_cell("n/a") : count_cell(work.steps));
   for (const long n : {work.solves, work.factorisations}) cells.push_back(count_cell(n));
@@ -53,8 +54,7 @@ Sheet phases_table(const Evaluation& evaluation, const std::vector<SpeedUp>& sho
                   "of offline: factorisation, eigensolve, projection of the loads; stepping: the online time without "
                   "reconstruction at the evaluation points, which is the rest of it. A rest is a difference of two "
                   "measurements; below their spreads together it prints as <= that. Stepping is timed apart in cheap "
-                  "runs alone. Work is counted over the run that was graded, at the sample times; a closed form takes "
-                  "no steps.",
+                  "runs alone. Work is that of the run whose online time stands beside it; a closed form takes no steps.",
               .columns = speed_up_key_columns(),
               .rows = {}};
   for (const std::string side : {"", "rival "}) {
@@ -64,9 +64,9 @@ Sheet phases_table(const Evaluation& evaluation, const std::vector<SpeedUp>& sho
   for (const SpeedUp& one : shown) {
     if (one.rival.empty()) continue;
     std::vector<Cell>& row = table.rows.emplace_back(speed_up_key_cells(one));
-    append(row, side_cells(run_of(evaluation, one.error), one.error.work));
+    append(row, side_cells(run_of(evaluation, one.error)));
     append(row, {text_cell(describe(one.rival[0].contender))});
-    append(row, side_cells(run_of(evaluation, one.rival[0]), one.rival[0].work));
+    append(row, side_cells(run_of(evaluation, one.rival[0])));
   }
   return table;
 }

@@ -19,7 +19,7 @@ LowRankDamping::LowRankDamping(double alpha, const MatrixXd& MR, const ModalDamp
   if (n_rigid_ + n_modal == 0) return;
   V_.resize(n_rigid_ > 0 ? MR.rows() : W.rows(), n_rigid_ + n_modal);
   e_ = VectorXd::Constant(n_rigid_ + n_modal, -alpha);
-  V_.leftCols(n_rigid_) = MR.leftCols(n_rigid_);
+  if (n_rigid_ > 0) V_.leftCols(n_rigid_) = MR;
   for (Index i = 0, column = n_rigid_; i < d.size(); ++i) {
     if (d[i] == 0) continue;
     V_.col(column) = W.col(i);
