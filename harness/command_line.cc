@@ -65,7 +65,7 @@ void add_check(CLI::App& app, const Catalogue& catalogue, Action& action) {
 
 void add_modes(CLI::App& app, const Catalogue& catalogue, Action& action) {
   auto options = std::make_shared<ModesOptions>();
-  CLI::App* command = app.add_subcommand("modes", "natural frequencies of a body, with residuals");
+  CLI::App* command = app.add_subcommand("modes", "natural frequencies of a body, residuals, degrees, participation");
   command->add_option("case", options->case_name, "case name or file")->required();
   command->add_option("--body", options->body, "body of the case (default: the first)");
   command->add_option("--count", options->count, "modes, rigid ones included")
@@ -97,6 +97,7 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
   command->add_flag("--plan", options->plan, "list the jobs and whether they are stored");
   command->add_flag("--json", options->json, "the plan as one JSON object")->needs("--plan");
   command->add_flag("--untimed", options->untimed, "marks and tables only; run again without it to take the times");
+  command->add_flag("-q,--quiet", options->quiet, "no progress on stderr: checks, and what fails");
   auto* const again = command->add_flag("--again", options->again, "run also what the store holds");
   command->add_flag("--resume")
       ->description("go on with what an interrupted run left: what happens anyway")
@@ -113,6 +114,8 @@ void add_report(CLI::App& app, const Catalogue& catalogue, Action& action) {
   command->add_option("case", options->cases, "case names or files (default: those of the store, by name)");
   command->add_option("-o,--output", options->directory, "folder of the report")->capture_default_str();
   command->add_option("--store", options->store, "where results are kept")->capture_default_str();
+  command->add_flag("--open", options->open, "show the page, by xdg-open");
+  command->add_flag("-q,--quiet", options->quiet, "nothing on stderr but what is wrong: not what is left out");
   command->callback(
       [&, options] { action = [&, options](const Console& c) { return report_command(*options, catalogue, c); }; });
 }

@@ -54,8 +54,10 @@ TEST(ProgramCases, RunsResumesReportsAndChecks) {
 
   written(scratch / "cases", "");  // a file where a folder is looked for
   const Said report = modalbench(scratch.path(), {"report"});
-  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_EQ(report.code, 2);  // a report would say that there are no records
   EXPECT_THAT(report.err, HasSubstr("left out; name its case file"));
+  EXPECT_THAT(report.err, HasSubstr("name the file: modalbench report small.toml"));
+  EXPECT_FALSE(fs::exists(scratch / "report"));
   EXPECT_EQ(modalbench(scratch.path(), {"report", "small.toml", "-o", "by-file"}).code, 0);
   EXPECT_THAT(text(scratch / "by-file/report.md"), HasSubstr("1 of 1 check"));
   fs::remove(scratch / "cases");
@@ -63,6 +65,31 @@ TEST(ProgramCases, RunsResumesReportsAndChecks) {
   fs::copy(scratch / "small.toml", scratch / "cases/small.toml");
   EXPECT_EQ(modalbench(scratch.path(), {"report"}).code, 0);
   EXPECT_THAT(text(scratch / "report/report.md"), HasSubstr("1 of 1 check"));
+}
+
+// What a new user does first: every step that `new` names must succeed.
+TEST(ProgramCases, TheTemplateRunsAndHolds) {
+  const ScratchFolder scratch;
+  EXPECT_THAT(modalbench(scratch.path(), {"new", "my.toml"}).err,
+              HasSubstr("modalbench run my.toml, modalbench report my.toml"));
+  EXPECT_EQ(modalbench(scratch.path(), {"check", "my.toml"}).code, 0);
+  const Said run = modalbench(scratch.path(), {"run", "my.toml", "--quiet", "--untimed"});
+  EXPECT_EQ(run.code, 0) << run.err << run.out;
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, testing::StartsWith("holds my"));
+  const Said report = modalbench(scratch.path(), {"report", "my.toml", "-q"});
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_THAT(text(scratch / "report/report.md"), HasSubstr("1 of 1 check"));
+}
+
+// A check that asks for modes which --set left out is no failure, but not forgotten either.
+TEST(ProgramCases, ChecksThatSettingsLeaveUnansweredAreCounted) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  const Said said = modalbench(scratch.path(), {"run", "small.toml", "--untimed", "--set", "modal.modes=4"});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_EQ(said.out, "");
+  EXPECT_THAT(said.err, HasSubstr("1 of 1 check not asked"));
 }
 
 TEST(ProgramCases, AFailingCheckIsExitCodeOne) {
@@ -128,6 +155,12 @@ TEST(ProgramCases, ModesAsJson) {
       EXPECT_EQ(mode["omega"], 0.0);
     }
     EXPECT_LT(mode["residual"], 1e-8);
+    EXPECT_EQ(mode["participation"].size(), 3u);
+    if (i < 6) {
+      EXPECT_LE(mode["polynomial_degree"], 1);
+    } else {
+      EXPECT_EQ(mode["participation"], Json::array({0.0, 0.0, 0.0}));  // of a free body
+    }
     EXPECT_NEAR(mode["hertz"].get<double>() * 2 * pi, mode["omega"].get<double>(), 1e-12 * mode["omega"].get<double>());
   }
 }

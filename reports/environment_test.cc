@@ -63,5 +63,36 @@ TEST(Environment, CommandsNameTheCommitOfMostRecordsAndThatThereAreOthers) {
   }
 }
 
+// What --set added to the runs of a case is not in its file: running it again does not repeat that.
+TEST(Environment, CommandsSayWhichRunsTheyDoNotRepeat) {
+  ReportInput input;
+  Scene scene = synthetic::scene();
+  scene.bodies.front().resolution = {4, {1, 4}};
+  scene.study = {};
+  scene.study.methods = {"eigenmodes"};
+  scene.study.modes = {4, 8};
+  scene.study.rivals = {{"newmark", {1, 2}, {{1, 2}}, {0.01}, {}}};
+  scene.study.steppings = {{"newmark", {"eigenmodes"}, {8}, {0.01}, {}}};
+  input.scenes = {scene};
+  const auto stepped = [](double time_step) {
+    Contender contender = synthetic::reduced("eigenmodes", 8);
+    contender.integrator = std::string("newmark");
+    contender.settings.time_step = time_step;
+    return contender;
+  };
+  const auto add = [&](const Contender& contender) {
+    input.records.push_back(synthetic::record("displacement-error", 0.1, 0, contender));
+  };
+  const std::string command = "modalbench run cylinder-compression --profile quick";
+  for (const Contender& own : {synthetic::reduced("eigenmodes", 4), synthetic::full(2, {1, 2}, 0.01), stepped(0.01)})
+    add(own);
+  EXPECT_THAT(reproducing_commands(evaluate(input)), Contains(command));
+  for (const Contender& other : {synthetic::reduced("eigenmodes", 5), synthetic::reduced("linear", 0),
+                                 synthetic::full(2, {1, 4}, 0.01), synthetic::full(2, {1, 2}, 0.02), stepped(0.02)})
+    add(other);
+  EXPECT_THAT(reproducing_commands(evaluate(input)),
+              Contains(testing::StartsWith(command + "  # does not repeat 5 runs of settings")));
+}
+
 }  // namespace
 }  // namespace mb

@@ -30,6 +30,7 @@ std::vector<std::pair<std::string, SpeedUp>> headline_pairs(const Evaluation& ev
 
 Sheet headline_table(const Evaluation& evaluation);  // the pairs of the headline's norm
 
+// Lines for a shell. A comment says what they do not repeat: runs of settings which the case file does not list.
 std::vector<std::string> reproducing_commands(const Evaluation& evaluation);
 
 }  // namespace mb

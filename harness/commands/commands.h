@@ -15,6 +15,7 @@ namespace mb {
 
 struct Console {
   std::ostream &out, &err;
+  bool quiet = false;  // no progress on err
 };
 void print(const CaseErrors& errors, std::ostream& err);  // every diagnostic of a case file
 
@@ -33,12 +34,13 @@ struct RunCommandOptions {
   std::vector<std::string> overrides;  // --set KEY=VALUE,...: harness/study/overrides.h
   std::string shard = "1/1";           // which part of the jobs: harness/study/plan.h
   int jobs = 1;                        // processes; times are taken afterwards, alone
-  bool again = false, plan = false, json = false, untimed = false;
+  bool again = false, plan = false, json = false, untimed = false, quiet = false;
   std::function<bool()> interrupted;
 };
 struct ReportOptions {
   std::vector<std::string> cases;  // names or files; empty: the cases of the store, found by name
   std::string directory = "report", store = "results";
+  bool open = false, quiet = false;  // show the page; say nothing of what is left out
 };
 
 int check_command(const CheckOptions&, const Catalogue&, const Console&);

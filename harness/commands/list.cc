@@ -22,15 +22,24 @@ std::string about(const Scene& scene) {
   return printable(scene.exercises.empty() ? scene.title : scene.exercises, 200);
 }
 
+// The profiles in which a bare `run` takes the case; named, it runs in any.
+std::string profiles_of(const Scene& scene) {
+  return scene.runs_in.size() == 3 ? "every profile" : fmt::format("{}", fmt::join(scene.runs_in, ", "));
+}
+
 void print_table(const std::vector<Entry>& entries, std::ostream& out) {
-  fmt::print(out, "{:<28} {:>5} {:>8}  {}\n", "case", "runs", "minutes", "exercises");
+  fmt::print(out, "{:<28} {:<16} {:>5} {:>8}  {}\n", "case", "in", "runs", "minutes", "exercises");
   for (const Entry& entry : entries)
-    fmt::print(out, "{:<28} {:>5} {:>8.2g}  {}\n", entry.scene.name, entry.n_runs, entry.minutes, about(entry.scene));
+    fmt::print(out, "{:<28} {:<16} {:>5} {:>8.2g}  {}\n", entry.scene.name, profiles_of(entry.scene), entry.n_runs,
+               entry.minutes, about(entry.scene));
 }
 
 // The names that a case file may use.
 void print_names(const Vocabulary& names, std::ostream& out) {
-  fmt::print(out, "\nRuns and minutes (estimated) are of the quick profile. Names for case files and --set:\n");
+  fmt::print(
+      out,
+      "\n`in`: the profiles in which `run` takes a case that is not named. Runs and minutes (estimated) are of the "
+      "quick profile.\nNames for case files and --set:\n");
   fmt::print(out, "  methods      {}\n", fmt::join(names.methods, ", "));
   fmt::print(out, "  integrators  {}\n", fmt::join(names.integrators, ", "));
   fmt::print(out, "  analyses     {}\n", fmt::join(names.analyses, ", "));
@@ -43,6 +52,7 @@ void print_json(const std::vector<Entry>& entries, std::ostream& out) {
     cases.push_back({{"name", entry.scene.name},
                      {"title", entry.scene.title},
                      {"exercises", entry.scene.exercises},
+                     {"runs_in", entry.scene.runs_in},
                      {"n_runs", entry.n_runs},
                      {"estimated_minutes", entry.minutes}});
   fmt::print(out, "{}\n", to_line({{"schema", 1}, {"profile", "quick"}, {"cases", cases}}));

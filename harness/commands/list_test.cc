@@ -31,6 +31,8 @@ TEST(ListTest, NamesRunsAndMinutes) {
   ASSERT_EQ(json["cases"].size(), 1u);
   EXPECT_EQ(json["cases"][0]["name"], "small");
   EXPECT_EQ(json["cases"][0]["n_runs"], 4);
+  EXPECT_EQ(json["cases"][0]["runs_in"], Json::array({"quick", "standard", "full"}));
+  EXPECT_THAT(table.out, HasSubstr("every profile"));
   EXPECT_GT(json["cases"][0]["estimated_minutes"], 0);
 }
 
@@ -70,6 +72,20 @@ TEST(EstimateTest, IsWithinAFactorOfThreeOfARunThatWasTimed) {
   EXPECT_GT(found.contenders, 134.0 / 3);
   EXPECT_LT(found.contenders, 134.0 * 3);
   EXPECT_EQ(found.analyses, 0);
+}
+
+// As many cells in a row as in a cube: the factor's rows are a layer wide, a hundredth of the mesh or a seventh.
+TEST(EstimateTest, ASlenderMeshIsCheaper) {
+  const ScratchFolder folder;
+  const Catalogue catalogue = default_catalogue();
+  Scene scene = read_toml(written(folder / "small.toml", small_case()), catalogue.vocabulary());
+  scene.bodies.front().shape = Box{{1, 1, 1}};
+  const auto truth_on = [&](const std::vector<int>& cells) {
+    scene.bodies.front().resolution = scene.truth.finer = scene.truth.coarser = {2, cells};
+    return estimate(scene, catalogue).truth;
+  };
+  EXPECT_LT(truth_on({1, 1, 512}), 0.8 * truth_on({8, 8, 8}));
+  EXPECT_EQ(truth_on({1, 1, 512}), truth_on({512, 1, 1}));
 }
 
 TEST(EstimateTest, GrowsWithAllThatCosts) {

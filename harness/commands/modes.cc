@@ -8,6 +8,7 @@
 #include "harness/commands/find_cases.h"
 #include "harness/study/truth.h"
 #include "modal/bases/eigenmodes.h"
+#include "modal/bases/participation.h"
 #include "reference/full_model.h"
 
 namespace mb {
@@ -35,28 +36,66 @@ std::vector<Index> multiplicities(const Modes& modes) {
   return all;
 }
 
-void print_table(const Modes& modes, Index count, std::ostream& out) {
-  const std::vector<Index> multiplicity = multiplicities(modes);
-  fmt::print(out, "{:>5}  {:>14}  {:>14}  {:>9}  {:>12}  kind\n", "mode", "omega [rad/s]", "f [Hz]", "residual",
-             "multiplicity");
-  for (Index i = 0; i < count; ++i)
-    fmt::print(out, "{:>5}  {:>14.7g}  {:>14.7g}  {:>9.1e}  {:>12}  {}\n", i + 1, modes.omega[i],
-               modes.omega[i] / (2 * pi), modes.residual[i], multiplicity[static_cast<size_t>(i)],
-               i < modes.n_rigid ? "rigid" : "elastic");
+// What is told of the modes, one entry or row a mode.
+struct Told {
+  Modes modes;
+  Index count;  // of modes to be told of
+  std::vector<Index> multiplicity;
+  std::vector<int> degree;
+  MatrixXd participation;  // count x 3
+};
+
+Told told(const Scene& scene, const Body& body, const FullModel& full, const Modes& modes, Index count) {
+  const MatrixXd Phi = modes.Phi.leftCols(count);
+  const MatrixXd Mr = translated_mass(full, evaluation_points(scene, body).volume, body.material.density);
+  MatrixXd shares = participation(Phi, Mr, body.material.density * full.mesh_volume());
+  shares = shares.unaryExpr([](double share) { return share < 1e-12 ? 0 : share; });  // rounding
+  return {modes, count, multiplicities(modes), polynomial_degrees(full, Phi), shares};
 }
 
-void print_json(const Scene& scene, const Body& body, Index n_dofs, const Modes& modes, Index count,
-                std::ostream& out) {
-  const std::vector<Index> multiplicity = multiplicities(modes);
+std::string degree_text(int degree) {
+  return degree == beyond ? fmt::format("> {}", most_degree) : std::to_string(degree);
+}
+
+std::string share_text(double share) { return share < 5e-5 ? "0" : fmt::format("{:.4f}", share); }
+
+void print_table(const Told& all, std::ostream& out) {
+  fmt::print(out, "{:>5}  {:>14}  {:>14}  {:>9}  {:>12}  {:>6}  {:>6}  {:>6}  {:>6}  kind\n", "mode", "omega [rad/s]",
+             "f [Hz]", "residual", "multiplicity", "degree", "x", "y", "z");
+  for (Index i = 0; i < all.count; ++i) {
+    const auto share = [&](Index d) { return share_text(all.participation(i, d)); };
+    const double omega = all.modes.omega[i];
+    fmt::print(out, "{:>5}  {:>14.7g}  {:>14.7g}  {:>9.1e}  {:>12}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", i + 1, omega,
+               omega / (2 * pi), all.modes.residual[i], all.multiplicity[static_cast<size_t>(i)],
+               degree_text(all.degree[static_cast<size_t>(i)]), share(0), share(1), share(2),
+               i < all.modes.n_rigid ? "rigid" : "elastic");
+  }
+  fmt::print(out,
+             "\ndegree: the least of a polynomial displacement in x, y, z, as the supports admit it, that holds {:g} % "
+             "of the mode's M norm squared\nx, y, z: participation, the effective modal mass along the axis as a share "
+             "of the body's mass\n",
+             100 * degree_share);
+}
+
+void print_json(const Scene& scene, const Body& body, const Told& all, std::ostream& out) {
   Json list = Json::array();
-  for (Index i = 0; i < count; ++i)
-    list.push_back({{"omega", modes.omega[i]},
-                    {"hertz", modes.omega[i] / (2 * pi)},
-                    {"residual", modes.residual[i]},
-                    {"multiplicity", multiplicity[static_cast<size_t>(i)]},
-                    {"kind", i < modes.n_rigid ? "rigid" : "elastic"}});
+  for (Index i = 0; i < all.count; ++i) {
+    const auto entry = static_cast<size_t>(i);
+    const auto share = [&](Index d) { return all.participation(i, d); };
+    list.push_back({{"omega", all.modes.omega[i]},
+                    {"hertz", all.modes.omega[i] / (2 * pi)},
+                    {"residual", all.modes.residual[i]},
+                    {"multiplicity", all.multiplicity[entry]},
+                    {"polynomial_degree", all.degree[entry] == beyond ? Json(nullptr) : Json(all.degree[entry])},
+                    {"participation", {share(0), share(1), share(2)}},
+                    {"kind", i < all.modes.n_rigid ? "rigid" : "elastic"}});
+  }
   fmt::print(out, "{}\n",
-             to_line({{"schema", 1}, {"case", scene.name}, {"body", body.name}, {"n_dofs", n_dofs}, {"modes", list}}));
+             to_line({{"schema", 2},
+                      {"case", scene.name},
+                      {"body", body.name},
+                      {"n_dofs", all.modes.Phi.rows()},
+                      {"modes", list}}));
 }
 
 }  // namespace
@@ -70,10 +109,8 @@ int modes_command(const ModesOptions& options, const Catalogue& catalogue, const
   const Index count = std::min<Index>(options.count, n);
   const int n_elastic = static_cast<int>(std::max<Index>(0, count - n_rigid));
   const Modes modes = lowest_modes(system, n_elastic, physical_shift(body));
-  if (options.json)
-    print_json(scene, body, n, modes, count, console.out);
-  else
-    print_table(modes, count, console.out);
+  const Told all = told(scene, body, *full, modes, count);
+  options.json ? print_json(scene, body, all, console.out) : print_table(all, console.out);
   return 0;
 }
 

@@ -52,7 +52,7 @@ int new_command(const NewOptions& options, const Catalogue&, const Console& cons
   const std::string name = file.stem();
   write_new(file, template_named(name));
   fmt::print(console.out, "{}\n", file.string());
-  fmt::print(console.err, "next: modalbench check {0}, then modalbench run {0}\n", file.string());
+  fmt::print(console.err, "next: modalbench check {0}, modalbench run {0}, modalbench report {0}\n", file.string());
   return 0;
 }
 

@@ -1,9 +1,12 @@
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
 #include <set>
 
+#include "cases/scene/diagnostics.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
+#include "harness/commands/open_page.h"
 #include "harness/metrics/definitions.h"
 #include "harness/provenance.h"
 #include "harness/study/current_records.h"
@@ -26,7 +29,12 @@ std::map<std::string, std::filesystem::path> files_given(const ReportOptions& op
 struct Known {
   std::vector<Scene> scenes;
   bool all_valid = true;
+  std::vector<std::string> stored = {}, not_found = {};  // names of cases: all of the store; those without a case file
 };
+
+void add(std::vector<std::string>& names, const std::string& name) {
+  if (names.empty() || names.back() != name) names.push_back(name);
+}
 
 // Cases of the store, each in the profile that was run. A wrong case file is named and its case left out.
 Known scenes_in(const Store& store, const ReportOptions& options, const Catalogue& catalogue, std::ostream& err) {
@@ -35,10 +43,12 @@ Known scenes_in(const Store& store, const ReportOptions& options, const Catalogu
   for (const Record& record : store.read_all_records().records) names.insert({record.case_name, record.profile});
   Known known;
   for (const auto& [name, profile] : names) try {
+      add(known.stored, name);
       if (!given.empty() && !given.contains(name)) continue;
       const auto file = given.empty() ? find_case(name) : given.at(name);
       known.scenes.push_back(read_toml(file, catalogue.vocabulary(), profile));
     } catch (const UnknownCase&) {
+      add(known.not_found, name);
       fmt::print(err, "the store holds results of '{}': left out; name its case file to have them reported\n", name);
     } catch (const CaseErrors& errors) {
       print(errors, err);
@@ -59,22 +69,52 @@ void print_left_out(const StoredResults& stored, std::ostream& err) {
     fmt::print(err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
 }
 
+std::vector<std::string> quoted(const std::vector<std::string>& names) {
+  std::vector<std::string> all;
+  for (const std::string& name : names) all.push_back("'" + printable(name, 64) + "'");
+  return all;
+}
+
+// Names of a store are untrusted, and readers paste commands into a shell.
+std::string likely_file(const std::string& name) {
+  const bool plain = name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+  return plain ? name + ".toml" : "FILE.toml";
+}
+
+// Where results are stored but none of them can be reported: why, and what helps. A report would say that there are
+// none.
+std::string nothing_to_report(const Known& known, const ReportOptions& options) {
+  if (!known.not_found.empty())
+    return fmt::format("nothing to report: no case file is found by the name {}; name the file: modalbench report {}{}",
+                       fmt::join(quoted(known.not_found), ", "), likely_file(known.not_found.front()),
+                       options.store == "results" ? "" : " --store " + options.store);
+  if (known.scenes.empty() && known.all_valid)
+    return fmt::format("nothing to report: the store holds results of {} alone", fmt::join(quoted(known.stored), ", "));
+  if (known.scenes.empty()) return "nothing to report: every case file that the store has results of is wrong";
+  return "nothing to report: what is stored belongs to case files or builds that have changed since; modalbench run "
+         "makes it anew";
+}
+
 }  // namespace
 
 int report_command(const ReportOptions& options, const Catalogue& catalogue, const Console& console) {
   if (!std::filesystem::is_directory(options.store)) throw UsageError("no store at '" + options.store + "'");
   const Store store(options.store);
-  Known known = scenes_in(store, options, catalogue, console.err);
-  ReportInput input{{}, {}, std::move(known.scenes), {}, meanings()};
+  const Known known = scenes_in(store, options, catalogue, console.err);
+  ReportInput input{{}, {}, known.scenes, {}, meanings()};
   StoredResults stored = current_records(store, input.scenes);
-  print_left_out(stored, console.err);
+  if (!options.quiet) print_left_out(stored, console.err);
+  if (!known.stored.empty() && stored.records.empty() && stored.findings.empty())
+    throw UsageError(nothing_to_report(known, options));
   input.records = std::move(stored.records);
   input.findings = std::move(stored.findings);
   input.environment = input.records.empty() ? provenance("none") : input.records.front().provenance;
-  for (const auto& file : write_report(input, options.directory)) fmt::print(console.out, "{}\n", file.string());
-  if (!page_available())
+  const auto files = write_report(input, options.directory);
+  for (const auto& file : files) fmt::print(console.out, "{}\n", file.string());
+  if (!page_available() && !options.quiet)
     fmt::print(console.err,
                "report.html is not written: the page was not built (it needs npm when Modalbench is built)\n");
+  if (options.open) open_page(files, console.err);
   return known.all_valid ? 0 : 2;
 }
 

@@ -1,11 +1,14 @@
 // `modalbench report` on what it cannot report: it says so, and reports the rest.
 #include <gmock/gmock.h>
 
+#include <cstdlib>
+
 #include "harness/program_test.h"
 #include "harness/store/scratch_folder_test.h"
 #include "harness/store/store.h"
 #include "harness/study/identity.h"
 #include "harness/study/plan.h"
+#include "reports/content.h"
 
 namespace mb {
 namespace {
@@ -54,6 +57,49 @@ TEST(ReportCommandTest, AWrongCaseFileIsNamedAndTheOthersAreReported) {
   EXPECT_THAT(said.err, HasSubstr("cases/one.toml"));
   EXPECT_THAT(said.err, HasSubstr("results of 'one' in profile quick are left out"));
   EXPECT_THAT(text(scratch / "report/report.md"), HasSubstr("two"));
+}
+
+// A report of nothing would say that nothing was run.
+TEST(ReportCommandTest, WhereNothingStoredCanBeReportedTheRemedyIsNamed) {
+  const ScratchFolder scratch;
+  const fs::path file = written(scratch / "small.toml", small_case());
+  write_mark(file, scratch / "results");
+  const Said by_name = modalbench(scratch.path(), {"report"});
+  EXPECT_EQ(by_name.code, 2);
+  EXPECT_THAT(by_name.err, HasSubstr("name the file: modalbench report small.toml\n"));
+  written(scratch / "other.toml", named("other"));
+  const Said other = modalbench(scratch.path(), {"report", "other.toml"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("the store holds results of 'small' alone"));
+  std::string changed = small_case();
+  changed.replace(changed.find("2e4"), 3, "3e4");
+  written(file, changed);
+  const Said stale = modalbench(scratch.path(), {"report", "small.toml"});
+  EXPECT_EQ(stale.code, 2);
+  EXPECT_THAT(stale.err, HasSubstr("changed since"));
+  EXPECT_FALSE(fs::exists(scratch / "report"));
+}
+
+TEST(ReportCommandTest, OpenShowsThePageOrSaysWhyNot) {
+  const ScratchFolder scratch;
+  write_mark(written(scratch / "small.toml", small_case()), scratch / "results");
+  const std::string before = std::getenv("PATH") ? std::getenv("PATH") : "";
+  ::setenv("PATH", (scratch / "none").c_str(), 1);
+  const Said without = modalbench(scratch.path(), {"report", "small.toml", "--open", "-q"});
+  const fs::path program = written(scratch / "xdg-open", "#!/bin/sh\necho \"$1\" > shown\n");
+  fs::permissions(program, fs::perms::owner_all);
+  ::setenv("PATH", scratch.path().c_str(), 1);
+  const Said with = modalbench(scratch.path(), {"report", "small.toml", "--open", "-q"});
+  ::setenv("PATH", before.c_str(), 1);
+  EXPECT_EQ(without.code, 0) << without.err;
+  EXPECT_EQ(with.code, 0) << with.err;
+  if (!page_available()) {  // built without Node: no report.html
+    EXPECT_THAT(with.err, HasSubstr("no report.html"));
+    return;
+  }
+  EXPECT_THAT(without.err, HasSubstr("there is no xdg-open here"));
+  EXPECT_EQ(with.err, "");
+  EXPECT_EQ(text(scratch / "shown"), fs::absolute(scratch / "report/report.html").string() + "\n");
 }
 
 TEST(ReportCommandTest, TablesOfOtherSettingsAreCounted) {

@@ -67,19 +67,24 @@ std::vector<PlannedJob> plan(const Scenes& scenes, const Catalogue& catalogue, c
 }
 
 // Prints every check of the scenes with what was measured; returns whether all hold. Where --set chose what ran, a
-// check of what did not run is no failure.
-bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored, bool all_ran, std::ostream& out) {
+// check of what did not run is no failure: how many are not asked is said.
+bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored, bool all_ran, const Console& console) {
   bool all = true;
-  for (const CheckResult& result : check_results(scenes, stored.records, stored.findings)) {
+  int n_not_asked = 0;
+  const std::vector<CheckResult> results = check_results(scenes, stored.records, stored.findings);
+  for (const CheckResult& result : results) {
     const Check& check = result.check;
-    if (!all_ran && result.status == "no record") continue;
+    if (!all_ran && result.status == "no record") {
+      ++n_not_asked;
+      continue;
+    }
     const bool upper = check.at_most.has_value();
     const std::string of = check.table.empty() ? fmt::format("{} r={} · {} against {}", check.method, check.modes,
                                                              check.metric, check.truth)
                                                : subject_of(check);
     const bool open = result.measured && !result.decidable;  // no pass: what is not known does not hold
     const std::string bar = result.error_bar > 0 ? fmt::format(" +- {:.1e}", result.error_bar) : "";
-    fmt::print(out, "{:<5} {} · {} = {} (must be {} {:g}){}\n",
+    fmt::print(console.out, "{:<5} {} · {} = {} (must be {} {:g}){}\n",
                result.holds ? "holds"
                : open       ? "OPEN"
                             : "FAILS",
@@ -88,6 +93,10 @@ bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored,
                open ? ": within the error bar, not decidable" : "");
     all = all && result.holds;
   }
+  if (n_not_asked > 0)
+    fmt::print(console.err,
+               "{} of {} check{} not asked: no run answers, as --set chose what runs; `run` without it asks all\n",
+               n_not_asked, results.size(), results.size() == 1 ? "" : "s");
   return all;
 }
 
@@ -97,18 +106,22 @@ struct Outcome {
   std::vector<Scene> finished;
 };
 
+Progress progress_on(const Console& console) {
+  if (console.quiet) return [](const std::string&) {};
+  return [&err = console.err](const std::string& line) { fmt::print(err, "{}\n", line), err.flush(); };
+}
+
 Outcome run_all(const Scenes& scenes, const Catalogue& catalogue, const Store& store, const RunOptions& options,
                 const Console& console) {
-  const Progress progress = [&](const std::string& line) {
-    fmt::print(console.err, "{}\n", line), console.err.flush();
-  };
+  const Progress progress = progress_on(console);
   Outcome outcome;
   for (const auto& scene : scenes) try {
       const CaseOutcome one = run_case(scene, catalogue, store, options, progress);
       const bool may_be_old = one.n_failed > 0 && one.n_stored > 0;
-      fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed{}\n", scene->name, one.n_run, one.n_stored,
-                 store.directory().string(), one.n_failed,
-                 may_be_old ? "; a failure that is stored stays until --again" : "");
+      if (!console.quiet || one.n_failed > 0)
+        fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed{}\n", scene->name, one.n_run,
+                   one.n_stored, store.directory().string(), one.n_failed,
+                   may_be_old ? "; a failure that is stored stays until --again" : "");
       outcome.n_failed += one.n_failed;
       outcome.finished.push_back(*scene);
       if ((outcome.interrupted = one.interrupted)) break;
@@ -125,7 +138,7 @@ Outcome run_all(const Scenes& scenes, const Catalogue& catalogue, const Store& s
 // itself before the last of them has ended.
 void run_in_parallel(const Scenes& scenes, const Catalogue& catalogue, const Store& store, const RunOptions& options,
                      int n, const Console& console) {
-  const auto progress = [&](const std::string& line) { fmt::print(console.err, "{}\n", line), console.err.flush(); };
+  const Progress progress = progress_on(console);
   const auto interrupted = [&] { return options.interrupted && options.interrupted(); };
   RunOptions shared = options;
   shared.timed = false;
@@ -164,13 +177,15 @@ std::string command_again(const RunCommandOptions& options) {
   if (options.jobs != 1) add({"--jobs", std::to_string(options.jobs)});
   if (options.untimed) add({"--untimed"});
   if (options.again) add({"--again"});
+  if (options.quiet) add({"--quiet"});
   for (std::string& word : words) word = shell_word(word);
   return fmt::format("{}", fmt::join(words, " "));
 }
 
 }  // namespace
 
-int run_command(const RunCommandOptions& options, const Catalogue& catalogue, const Console& console) {
+int run_command(const RunCommandOptions& options, const Catalogue& catalogue, const Console& given) {
+  const Console console{given.out, given.err, options.quiet};
   const auto shard = parse_shard(options.shard);
   if (!shard) throw UsageError("--shard " + options.shard + ": must be i/n with 1 <= i <= n <= 1000000, as 2/8");
   const Scenes scenes = scenes_of(options, catalogue);
@@ -195,7 +210,7 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
   }
   if (!shard->whole()) return outcome.n_failed > 0 ? 3 : 0;  // checks are of the whole
   const StoredResults stored = current_records(store, outcome.finished);
-  const bool checks_hold = print_checks(outcome.finished, stored, options.overrides.empty(), console.out);
+  const bool checks_hold = print_checks(outcome.finished, stored, options.overrides.empty(), console);
   return outcome.n_failed > 0 ? 3 : checks_hold ? 0 : 1;
 }
 

@@ -13,18 +13,36 @@ namespace mb {
 namespace {
 
 constexpr double explicit_share = 1.0 / 3;       // [-] of a Newmark step
-constexpr double adaptive_share = 35;            // [-] stages, error estimate and new factors of an adaptive step
-constexpr double sudden = 8;                     // [-] steps after a jump, to those of a smooth load
+constexpr double adaptive_share = 30;            // [-] stages, error estimate and new factors of an adaptive step
+constexpr double sudden = 6;                     // [-] steps after a jump, to those of a smooth load
+constexpr double sudden_damped = 2;              // [-] where stiffness damping soon takes the high frequencies away
 constexpr double reduced_step = 1e-6;            // [s] + 20 ns a mode: a step of decoupled equations
-constexpr double grade_per_sample = 2e-4;        // [s] marks at one time, and writing it
+constexpr double grade_per_sample = 1e-4;        // [s] marks at one time, and writing it
 constexpr double timing = 0.02;                  // [s] least total of repeated runs (measure.h)
 constexpr double repeated_below = 0.05;          // [s] (bench.h)
 constexpr double analysis_per_mode_count = 0.4;  // [-] share of making the modes of every count, for each analysis
 
-double step(double n) { return 9e-3 * std::pow(n / 17187, 1.6); }
-double assembly(double n, int degree) { return 3e-4 * n / degree; }
-double modes(double n, double r) { return (70 + r) * 10e-3 * std::pow(n / 4539, 1.3); }
+struct Mesh {
+  double n, front;  // [-] degrees of freedom: all, and those of the narrowest cross-section
+  int degree;
+};
+
+double step(const Mesh& mesh) {
+  const double row = 3 * std::pow(mesh.degree + 2, 3);  // entries of M and of K, away from the surface
+  return 1e-9 * mesh.n * (0.22 * row + 0.3 * mesh.front);
+}
+double assembly(const Mesh& mesh) { return 2e-4 * mesh.n / mesh.degree; }
+double modes(const Mesh& mesh, double r) { return (70 + r) * 9 * step(mesh); }
 double dense(double n) { return 2e-9 * n * n * n; }
+
+// A factor's rows are about as wide as what parts the mesh in two: a layer across its longest direction.
+double front(const Shape& shape, const Resolution& resolution) {
+  const auto nodes = [&](size_t i) { return static_cast<double>(resolution.degree * resolution.cells[i] + 1); };
+  const double n = n_dofs(shape, resolution);
+  if (std::holds_alternative<Box>(shape)) return n / std::max({nodes(0), nodes(1), nodes(2)});
+  const double across = 3 * nodes(0);  // three of the blocks of a disc or ball stand in a row
+  return n / (std::holds_alternative<Cylinder>(shape) ? std::max(across, nodes(1)) : across);
+}
 
 class CaseEstimate {
  public:
@@ -48,10 +66,14 @@ class CaseEstimate {
   }
 
  private:
-  double n_dofs_of(const Resolution& resolution) const {
-    double n = 0;
-    for (const Body& body : scene_.bodies) n += n_dofs(body.shape, resolution);
-    return n;
+  // Of all bodies alike: the widest front.
+  Mesh mesh(const Resolution& resolution) const {
+    Mesh all{0, 0, resolution.degree};
+    for (const Body& body : scene_.bodies) {
+      all.n += n_dofs(body.shape, resolution);
+      all.front = std::max(all.front, front(body.shape, resolution));
+    }
+    return all;
   }
 
   bool is_sudden() const {
@@ -62,11 +84,14 @@ class CaseEstimate {
   }
 
   // Steps of the adaptive integrator, as its tolerance alone rules them.
-  double n_adaptive(double rtol) const { return 4 * std::pow(rtol, -0.3) * (is_sudden() ? sudden : 1); }
+  double n_adaptive(double rtol) const {
+    const bool damped = std::ranges::any_of(scene_.bodies, [](const Body& body) { return body.damping.beta > 0; });
+    return 4 * std::pow(rtol, -0.3) * (!is_sudden() ? 1 : damped ? sudden_damped : sudden);
+  }
 
   double truth_run(const Resolution& resolution, double rtol) const {
-    const double n = n_dofs_of(resolution);
-    return assembly(n, resolution.degree) + n_adaptive(rtol) * adaptive_share * step(n);
+    const Mesh own = mesh(resolution);
+    return assembly(own) + n_adaptive(rtol) * adaptive_share * step(own);
   }
 
   double stepping(const Contender& c, double newmark_step) const {
@@ -79,28 +104,28 @@ class CaseEstimate {
   }
 
   double basis(const Contender& c) const {
-    const double n = n_dofs_of(c.resolution);
+    const Mesh own = mesh(c.resolution);
     if (is_full_order(c)) return 0;
-    if (c.method == "full") return c.integrator == "exact" ? dense(n) : 0;
+    if (c.method == "full") return c.integrator == "exact" ? dense(own.n) : 0;
     const double r = catalogue_.method(c.method).takes_modes() ? c.settings.modes : 24;  // at most quadratic strain
-    return modes(n, r);
+    return modes(own, r);
   }
 
   double contender(const Contender& c) const {
-    const double n = n_dofs_of(c.resolution);
+    const Mesh own = mesh(c.resolution);
     const bool of_mesh = is_full_order(c) || c.method == "full", closed_form = c.integrator == "exact";
     const double r = catalogue_.method(c.method).takes_modes() ? c.settings.modes : 24;
-    const double preparation = is_full_order(c) ? assembly(n, c.resolution.degree) : 0;
-    const double online = stepping(c, of_mesh && !closed_form ? step(n) : reduced_step + 2e-8 * r);
+    const double preparation = is_full_order(c) ? assembly(own) : 0;
+    const double online = stepping(c, of_mesh && !closed_form ? step(own) : reduced_step + 2e-8 * r);
     // Online time and the time of stepping alone are repeated where they are short.
     const double timed = online < repeated_below ? 2 * std::max(timing, 6 * online) : online;
     return preparation + online + timed + n_samples_ * grade_per_sample;
   }
 
   double analyses() const {
-    const double n = n_dofs_of(scene_.bodies.front().resolution);
+    const Mesh own = mesh(scene_.bodies.front().resolution);
     double once = 0;
-    for (const int r : scene_.study.modes) once += modes(n, r);
+    for (const int r : scene_.study.modes) once += modes(own, r);
     return static_cast<double>(scene_.study.analyses.size()) * analysis_per_mode_count * once;
   }
 
