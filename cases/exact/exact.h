@@ -20,9 +20,10 @@ namespace mb {
 struct ExactSolution {
   std::string name, doc, source;
   std::string (*problem)(const Scene& scene);  // empty where the solution holds for the scene, else why not
-  // displacement and strain of the scene's body at t [s]; error_bar: relative, of the series
+  // displacement and strain of the scene's body at t [s]
   Trajectory (*at)(const Scene& scene, const EvaluationPoints& points, const VectorXd& t);
-  double error_bar;
+  double error_bar;  // [-] of the series, relative to the largest displacement: a metric's own unit is made of it by
+                     // whoever compares (harness/study/truth.h)
 };
 const std::vector<ExactSolution>& exact_solutions();
 const ExactSolution& exact_solution(const std::string& name);  // throws std::out_of_range naming it

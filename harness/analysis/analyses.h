@@ -18,7 +18,9 @@
 //   frequency-response-error  load | contender | modes r | error | largest deviation | at
 //   frequency-response-peaks  contender | load | modes r | frequency | amplitude
 //   damping                   mode | frequency | zeta asked | zeta full | zeta reduced | zeta by decay | coupling
-//   frequencies               mode | reference | frequency | error | error Q2 4x4x4 | ... | order
+//   damping-of-steps          mode | frequency | zeta asked | integrator | dt | omega dt | zeta of scheme |
+//                             zeta of run | difference
+//   frequencies               mode | reference | frequency | error | error Q2 4x4x4 | ... | order | GCI
 //   probe-extremes            probe | truth | largest | at (largest) | smallest | at (smallest) | static |
 //                             largest/static
 //   mode-amplitudes           mode | frequency | omega | fixed energy | fixed force | fixed impulse

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
 
 #include "harness/program_test.h"
 #include "harness/store/scratch_folder_test.h"
@@ -66,6 +67,11 @@ integrator = "newmark"
 methods = ["eigenmodes"]
 modes = [16]
 time_steps = [1e-3]
+[[study.stepping]]
+integrator = "explicit-euler"
+methods = ["eigenmodes"]
+modes = [4]
+time_steps = [1e-3, 1e-5]
 )";
 
 struct Row {
@@ -104,18 +110,22 @@ class AnalysesCases : public testing::Test {
 };
 
 TEST_F(AnalysesCases, PartsOfTheBudgetAddUpAsVectors) {
+  const auto run = [](const Row& row) { return row.text("integrator") + " " + row.text("setting"); };
   for (const char* norm : {"M norm", "K norm"}) {
-    double squares = 0, total = 0;
+    std::map<std::string, double> squares, totals;
     for (const Row& row : rows("budget")) {
       const double part = row.number(norm);
       if (row.text("part") == "total")
-        total = part;
+        totals[run(row)] = part;
       else if (!std::isnan(part))
-        squares += part * part;
+        squares[run(row)] += part * part;
     }
-    for (const Row& row : rows("budget-cross-terms")) squares += row.number(norm);
-    EXPECT_GT(total, 0);
-    EXPECT_NEAR(squares, total * total, 1e-9 * total * total) << norm;
+    for (const Row& row : rows("budget-cross-terms")) squares[run(row)] += row.number(norm);
+    EXPECT_FALSE(totals.empty());
+    for (const auto& [name, total] : totals) {
+      EXPECT_GT(total, 0) << name;
+      EXPECT_NEAR(squares[name], total * total, 1e-9 * total * total) << name << " " << norm;
+    }
   }
 }
 
@@ -140,6 +150,22 @@ TEST_F(AnalysesCases, EveryModeIsDampedAsTheSceneAsks) {
       }
     EXPECT_LT(row.number("coupling"), 1e-8);
   }
+}
+
+TEST_F(AnalysesCases, StepsDampAsTheirSchemesSayAndExplicitEulerTooLittle) {
+  const std::vector<Row> all = rows("damping-of-steps");
+  EXPECT_EQ(all.size(), 8u * 3);  // 8 of 16 modes; newmark and two steps of explicit Euler
+  for (const Row& row : all) {
+    const std::string what = row.text("integrator") + " mode " + std::to_string(row.number("mode"));
+    EXPECT_NEAR(row.number("zeta of run"), row.number("zeta of scheme"), 1e-8) << what;
+    EXPECT_NEAR(row.number("difference"), row.number("zeta of scheme") - row.number("zeta asked"), 1e-15) << what;
+    if (row.text("integrator") == "newmark")
+      EXPECT_GT(row.number("zeta of scheme"), 0) << what;
+    else
+      EXPECT_LT(row.number("difference"), 0) << what;
+  }
+  EXPECT_EQ(all.front().number("mode"), 1);
+  EXPECT_GE(all.back().number("mode"), 16);
 }
 
 TEST_F(AnalysesCases, FrequencyResponsesConvergeAndPeakAtTheFirstMode) {

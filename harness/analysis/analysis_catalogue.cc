@@ -14,7 +14,10 @@ const std::vector<Analysis>& analysis_catalogue() {
        &frequency_responses},
       {"mode-amplitudes", "how a mode's displacement falls with its frequency for fixed energy, force and impulse",
        &mode_amplitudes},
-      {"damping", "damping ratios asked for and achieved, mode by mode", &achieved_damping},
+      {"damping",
+       "damping ratios asked for and achieved, mode by mode, by the full and the reduced system and by the study's "
+       "steps",
+       &achieved_damping},
       {"frequencies", "natural frequencies against published ones, with observed order", &natural_frequencies},
       {"probe-extremes", "largest and smallest probe values, when, and the static ones", &probe_extremes}};
   return all;

@@ -1,5 +1,7 @@
 #include "harness/analysis/frames.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -57,6 +59,13 @@ std::string aliasing_verdict(const FrameMarks& full, const FrameMarks& cut, bool
   if (!goes) return "does not hold: the modes kept are driven above half the frame rate, too";
   if (cut.frame_error <= full.frame_error) return "holds";
   return "holds within limits: aliasing goes, but what is cut costs more than it";
+}
+
+FindingCell sub_samples_needed(const std::vector<std::pair<int, double>>& boxes, double exact_mean, double wanted) {
+  for (const auto& [n, aliasing] : boxes)
+    if (aliasing <= wanted) return static_cast<double>(n);
+  if (exact_mean > wanted) return "none";
+  return fmt::format("> {}", boxes.back().first);
 }
 
 BandEnergy band_energy(const PaddedSpectrum& y, double f_c) {

@@ -10,7 +10,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "cases/contract/finding.h"
 #include "harness/metrics/band_split.h"
 #include "harness/metrics/shutter.h"
 
@@ -45,6 +48,11 @@ FrameMarks frame_marks(const FrameView& y, const MatrixXd& x_low);  // of weight
 // Claim C2 at one frame rate: full order and the modal answer without the modes above half of it, both at points.
 // in_transition: a mode kept lies where the filter passes only part of it.
 std::string aliasing_verdict(const FrameMarks& full, const FrameMarks& cut, bool in_transition);
+
+// The smallest box of n sub-samples with which full order aliases at most as much as `wanted`; boxes: (n, aliasing),
+// n ascending, at least one. "none" where the exact mean, their limit, aliases more: no number does then. "> n" where
+// the record has no samples for as many as it takes.
+FindingCell sub_samples_needed(const std::vector<std::pair<int, double>>& boxes, double exact_mean, double wanted);
 
 // Mean |q_high'|^2 and |q'|^2 over the padded record, signal by signal: twice the kinetic energy where U^T U = I.
 struct BandEnergy {

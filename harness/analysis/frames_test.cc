@@ -126,6 +126,14 @@ TEST(Frames, VerdictsFollowFromTheFigures) {
   EXPECT_EQ(aliasing_verdict(strong, {0.02, 0, 0.1, 0.1}, true), "holds");
 }
 
+TEST(Frames, SubSamplesNeededAreANumberOpenOrNone) {
+  const std::vector<std::pair<int, double>> boxes{{1, 0.5}, {2, 0.2}, {4, 0.1}};
+  EXPECT_EQ(sub_samples_needed(boxes, 0.01, 0.2), FindingCell(2.0));
+  EXPECT_EQ(sub_samples_needed(boxes, 0.01, 0.05), FindingCell("> 4"));   // eight may do
+  EXPECT_EQ(sub_samples_needed(boxes, 0.06, 0.05), FindingCell("none"));  // no number can
+  EXPECT_EQ(sub_samples_needed(boxes, 0.06, 0.1), FindingCell(4.0));
+}
+
 TEST(Frames, RefuseBadInput) {
   EXPECT_THROW(recording(MatrixXd::Ones(3, 4), VectorXd::Ones(2), rate), std::invalid_argument);
   EXPECT_THROW(recording(MatrixXd::Ones(3, 4), VectorXd::Zero(3), rate), std::invalid_argument);

@@ -2,7 +2,7 @@
 //
 //   error = f_h / f - 1        order = ln(error_coarse / error_fine) / ln(h_coarse / h_fine)
 //
-// mode by mode in ascending order.
+// mode by mode in ascending order, and the band that the meshes alone give the finest of a sequence (gci.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/modal_body.h"
+#include "harness/metrics/gci.h"
 #include "modal/bases/eigenmodes.h"
 
 namespace mb {
@@ -62,6 +63,52 @@ double observed_order(const std::vector<OnMesh>& meshes, const std::vector<doubl
   return order;
 }
 
+// Of one degree and shape of cell, the finest first, at one ratio.
+struct MeshSequence {
+  std::vector<size_t> meshes;  // three, or two where there are no three; or none
+  double ratio = nan;
+};
+MeshSequence sequence(const std::vector<OnMesh>& meshes) {
+  MeshSequence found;
+  const auto ratio_of = [&](size_t a, size_t b) { return refinement(meshes[a].resolution, meshes[b].resolution); };
+  const auto is_better = [&](const std::vector<size_t>& other) {
+    if (other.size() != found.meshes.size()) return other.size() > found.meshes.size();
+    const auto cells = [&](const std::vector<size_t>& all) { return meshes[all[1]].resolution.cells.front(); };
+    return cells(other) > cells(found.meshes);
+  };
+  for (size_t a = 0; a < meshes.size(); ++a)
+    for (size_t b = 0; b < meshes.size(); ++b) {
+      const double ratio = ratio_of(a, b);
+      if (!(ratio > 1)) continue;
+      std::vector<size_t> row{b, a};
+      for (size_t c = 0; c < meshes.size(); ++c)
+        if (row.size() == 2 && ratio_of(c, a) == ratio) row.push_back(c);
+      if (is_better(row)) found = {row, ratio};
+    }
+  return found;
+}
+
+// [-] of the finest mesh of a sequence. Frequencies of elements of degree k converge at order 2k (Strang & Fix 1973,
+// ch. 6).
+double convergence_index(const std::vector<OnMesh>& meshes, const MeshSequence& row, Index mode) {
+  if (row.meshes.empty()) return nan;
+  const auto f = [&](size_t i) { return meshes[row.meshes[i]].hertz(mode); };
+  const double order = 2.0 * meshes[row.meshes[0]].resolution.degree;
+  if (row.meshes.size() == 2) return gci_of_two(f(0), f(1), row.ratio, order).value_or(nan);
+  const auto three = grid_convergence(f(0), f(1), f(2), row.ratio);
+  return three ? three->fine : nan;
+}
+
+// How the column of the index came about, in words.
+std::string index_note(const std::vector<OnMesh>& meshes, const MeshSequence& row) {
+  if (row.meshes.empty()) return " GCI: there are no two meshes of one degree and shape of cell.";
+  return fmt::format(
+      " GCI: grid convergence index (Roache 1998) of {}, the band about its frequency without the reference, "
+      "from {} meshes at a ratio of {:.4g} with a factor of {}.",
+      to_string(meshes[row.meshes[0]].resolution), row.meshes.size(), row.ratio,
+      row.meshes.size() == 3 ? "1.25 and their own order" : "3 and the order of theory, twice the degree");
+}
+
 }  // namespace
 
 std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
@@ -82,6 +129,9 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
       {{"mode", ""}, {"reference", "Hz"}, {"frequency", "Hz"}, {"error", "-"}});
   for (const OnMesh& mesh : meshes) found.columns.push_back({"error " + to_string(mesh.resolution), "-"});
   found.columns.push_back({"order", "-"});
+  found.columns.push_back({"GCI", "-"});
+  const MeshSequence row = sequence(meshes);
+  found.note += index_note(meshes, row);
   for (Index i = 0; i < n; ++i) {
     const double f = reference.hertz[static_cast<size_t>(i)];
     std::vector<double> errors;
@@ -89,6 +139,7 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
     found.rows.push_back({count(i + 1), f, meshes[1].hertz(i), errors[1]});
     found.rows.back().insert(found.rows.back().end(), errors.begin(), errors.end());
     found.rows.back().push_back(observed_order(meshes, errors, reference.uncertainty));
+    found.rows.back().push_back(convergence_index(meshes, row, i));
   }
   return {found};
 }

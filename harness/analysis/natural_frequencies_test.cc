@@ -57,6 +57,26 @@ TEST(NaturalFrequencies, FallTowardsPublishedOnesAtTheOrderOfTheElement) {
   }
 }
 
+// The index knows nothing of the published frequency and still bounds the error against it.
+TEST(NaturalFrequencies, LieWithinTheBandThatTheMeshesAloneGive) {
+  const std::vector<double> lowest{14353.75688, 14353.75688, 19328.87687};
+  const std::array<Resolution, 3> three{{{1, {2, 2, 2}}, {1, {4, 4, 4}}, {1, {8, 8, 8}}}};
+  const std::array<Resolution, 3> two{{{1, {6, 6, 6}}, {1, {7, 7, 7}}, {1, {8, 8, 8}}}};
+  for (const auto& [meshes, factor] : {std::pair(three, 1.25), std::pair(two, 3.0)}) {
+    const Finding found = frequencies_of(cube(meshes, lowest));
+    for (size_t i = 0; i < lowest.size(); ++i) {
+      const double error = number(found, i, "error Q1 8x8x8"), index = number(found, i, "GCI");
+      EXPECT_GT(index, error) << i << " " << factor;
+      if (i < 2 || factor == 3) {  // eight cells show the third mode at order 2, two do not
+        EXPECT_NEAR(index, factor * error, 0.25 * factor * error) << i << " " << factor;
+      }
+    }
+  }
+  const Finding alone = frequencies_of(cube({{{1, {3, 3, 3}}, {2, {3, 3, 3}}, {3, {2, 2, 2}}}}, {14353.75688}));
+  EXPECT_TRUE(std::isnan(number(alone, 0, "GCI")));
+  EXPECT_NE(alone.note.find("no two meshes"), std::string::npos);
+}
+
 TEST(NaturalFrequencies, TellNoOrderWhereNoneCanBeSeen) {
   const std::vector<double> lowest{14353.75688};
   const auto order = [&](std::array<Resolution, 3> meshes, const std::vector<double>& hertz) {

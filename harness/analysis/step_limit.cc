@@ -55,6 +55,15 @@ bool steps_as(const Scheme& scheme, const System& system) {
   return lumped && !by_mass;
 }
 
+System let_go(const System& system, const VectorXd& phi) {
+  System alone = system;
+  alone.F.resize(system.M.rows(), 0);
+  alone.s.clear();
+  alone.u0 = phi;
+  alone.v0 = VectorXd::Zero(phi.size());
+  return alone;
+}
+
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme& scheme, const Integrator& integrator,
                      double dt, long most_steps) {
   using Complex = std::complex<double>;
@@ -65,11 +74,7 @@ GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme
   const double rate = std::log(std::abs(lambda)), wanted = std::log(3) / std::max(std::abs(rate), 1e-12);
   const long n = std::min(most_steps, std::max(20L, std::lround(std::ceil(std::min(wanted, 1e9)))));
 
-  System alone = system;
-  alone.F.resize(system.M.rows(), 0);
-  alone.s.clear();
-  alone.u0 = mode.phi;
-  alone.v0 = VectorXd::Zero(mode.phi.size());
+  const System alone = let_go(system, mode.phi);
   Settings settings;
   settings.time_step = dt;
   VectorXd times(4);  // from the second step on, the first one may differ from the rest

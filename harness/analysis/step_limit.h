@@ -30,6 +30,9 @@ std::vector<Scheme> explicit_schemes();
 // implicitly but for what a lumped mass would couple (central_difference.h).
 bool steps_as(const Scheme& scheme, const System& system);
 
+// The system without its loads, let go from rest in phi.
+System let_go(const System& system, const VectorXd& phi);
+
 // A mode of the mass with which the integrator steps, phi^T M phi = 1.
 struct SteppedMode {
   double omega, zeta;  // [rad/s], [-]

@@ -63,8 +63,14 @@ const std::map<std::string, Formula>& analyses() {
       {"frequency-response",
        {"u = (K + i omega C - omega^2 M)^-1 F at the probe", "mechanics/system/frequency_response.h"}},
       {"mode-amplitudes", {"max_t |q_i| ~ omega_i^-p: p = 1 for fixed energy and impulse, 2 for fixed force", ours}},
-      {"damping", {"zeta_i = phi_i^T C phi_i / (2 omega_i); by decay: delta / sqrt(4 pi^2 + delta^2)", ours}},
-      {"frequencies", {"f_i / f_i* - 1 on a row of meshes, f* as the case states them, and the observed order", ours}},
+      {"damping",
+       {"zeta_i = phi_i^T C phi_i / (2 omega_i); by decay: delta / sqrt(4 pi^2 + delta^2); of steps: "
+        "-ln|lambda| / |ln lambda|",
+        ours}},
+      {"frequencies",
+       {"f_i / f_i* - 1 on a row of meshes, f* as the case states them, the observed order and the "
+        "grid convergence index",
+        ours}},
       {"probe-extremes", {"max_t s, min_t s by the parabola through three samples, beside the static s", ours}},
   };
   return all;

@@ -10,34 +10,46 @@ struct Origin {
   std::string formula, source;
 };
 
-// Of the metrics, by name. u: displacement in the answer's own rigid frame; *: the truth; tau, w: weights of times and
-// points.
+// Of the metrics, by name.
 const std::map<std::string, Origin>& origins() {
   static const std::string l2 = "Oberkampf and Roy 2010, Verification and Validation in Scientific Computing";
   static const std::string sprague =
       "Sprague and Geers 2004, Commun. Numer. Meth. Engng 20; Schwer 2007, Eng. with Computers 23";
   static const std::string frame =
       "rigid frame of least squares: Kabsch 1976, Acta Cryst. A32; Umeyama 1991, IEEE Trans. PAMI 13(4)";
+  static const std::string u = "; u: displacement, of a free body in the answer's own best rigid frame";
+  static const std::string weights = "; *: the truth; tau, w: weights of times (trapezoidal rule) and points";
+  static const std::string signal = "; s: of the answer, s*: of the truth; tau: weights of times (trapezoidal rule)";
   static const std::map<std::string, Origin> all = {
       {"displacement-error",
-       {"sqrt(sum_t tau sum_i w_i rho |u_i - u*_i|^2 / sum_t tau sum_i w_i rho |u*_i|^2)", l2 + "; " + frame}},
+       {"sqrt(sum_t tau sum_i w_i rho |u_i - u*_i|^2 / sum_t tau sum_i w_i rho |u*_i|^2)" + u + weights,
+        l2 + "; " + frame}},
       {"strain-error",
-       {"sqrt(sum_t tau sum_i w_i (e_i - e*_i)^T D (e_i - e*_i) / sum_t tau sum_i w_i e*_i^T D e*_i)",
+       {"sqrt(sum_t tau sum_i w_i (e_i - e*_i)^T D (e_i - e*_i) / sum_t tau sum_i w_i e*_i^T D e*_i), e: linear strain "
+        "as the answer gives it" +
+            weights,
         l2 + "; energy norm: Strang and Fix 1973, An Analysis of the Finite Element Method, ch. 1"}},
       {"surface-deviation",
-       {"max_t max_i |u_i - u*_i| / l, i on the surface, l the largest edge of the bounding box",
+       {"max_t max_i |u_i - u*_i| / l, i on the surface, l the largest edge of the bounding box" + u + "; *: the truth",
         "maximum norm, " + l2}},
-      {"pose-translation", {"max_t |c - c*|, c the centroid of the rigid frame", frame}},
-      {"pose-rotation", {"max_t angle(R R*^T), R the rotation of the rigid frame", frame}},
-      {"probe-error", {"sqrt(sum_t tau (s - s*)^2 / sum_t tau s*^2), s = u(point) . direction", l2}},
-      {"probe-magnitude", {"M = sqrt(<s s> / <s* s*>) - 1, <a b> = sum_t tau a b", sprague}},
-      {"probe-phase", {"P = arccos(<s s*> / sqrt(<s s> <s* s*>)) / pi", sprague}},
-      {"probe-combined", {"C = sqrt(M^2 + P^2)", sprague}},
+      {"pose-translation", {"max_t |c - c*|, c the centroid of the best rigid frame; *: the truth", frame}},
+      {"pose-rotation", {"max_t angle(R R*^T), R the rotation of the best rigid frame; *: the truth", frame}},
+      {"probe-error",
+       {"sqrt(sum_t tau (s - s*)^2 / sum_t tau s*^2), s = u(point) . direction, u: displacement with rigid motion" +
+            signal,
+        l2}},
+      {"probe-magnitude", {"M = sqrt(<s s> / <s* s*>) - 1, <a b> = sum_t tau a b" + signal, sprague}},
+      {"probe-phase", {"P = arccos(<s s*> / sqrt(<s s> <s* s*>)) / pi, <a b> = sum_t tau a b" + signal, sprague}},
+      {"probe-combined", {"C = sqrt(M^2 + P^2), M of probe-magnitude, P of probe-phase", sprague}},
       {"probe-von-mises",
-       {"sqrt(sum_t tau (s - s*)^2 / sum_t tau s*^2), s = sqrt(3/2 s':s'), s' the deviator of D e at the probe",
+       {"sqrt(sum_t tau (s - s*)^2 / sum_t tau s*^2), s = sqrt(3/2 s':s'), s' the deviator of D e at the probe, e: "
+        "strain" +
+            signal,
         "von Mises 1913, Nachr. Ges. Wiss. Goettingen; " + l2}},
       {"truth-above-band",
-       {"sum_{f > F/20} E(f) / sum_f E(f), E(f) = f^2 sum_i w_i |U_i(f)|^2, F = samples_per_second, Hann window",
+       {"sum_{f > F/20} E(f) / sum_f E(f), E(f) = f^2 sum_i w_i |U_i(f)|^2, F = samples_per_second, Hann window, "
+        "U: spectrum of the truth's u" +
+            u + "; w: weights of points",
         "window: Harris 1978, Proc. IEEE 66(1); harness/metrics/spectrum.h"}},
   };
   return all;

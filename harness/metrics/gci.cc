@@ -16,4 +16,12 @@ std::optional<GridConvergence> grid_convergence(double f1, double f2, double f3,
   return GridConvergence{order, f1 + reach, fine, coarse, coarse / (contraction * fine)};
 }
 
+std::optional<double> gci_of_two(double f1, double f2, double refinement, double order) {
+  if (!(refinement > 1 && std::isfinite(refinement) && order > 0 && std::isfinite(order)))
+    throw std::invalid_argument("gci_of_two: the refinement ratio must exceed 1 and the order 0");
+  constexpr double safety = 3;
+  if (!std::isfinite(f1) || !std::isfinite(f2) || f1 == 0) return std::nullopt;
+  return safety * std::abs((f2 - f1) / f1) / (std::pow(refinement, order) - 1);
+}
+
 }  // namespace mb

@@ -54,6 +54,19 @@ TEST(GridConvergenceTest, NothingWithoutMonotoneConvergence) {
   }
 }
 
+TEST(GridConvergenceTest, OfTwoMeshesIsThreeTimesTheErrorOfTheOrderOfTheory) {
+  const auto f = [](double h) { return 5 - 0.02 * std::pow(h, 3); };
+  EXPECT_NEAR(*gci_of_two(f(1), f(1.5), 1.5, 3), 3 * 0.02 / f(1), 1e-12);
+  EXPECT_EQ(gci_of_two(5, 5, 2, 1), 0);
+  EXPECT_FALSE(gci_of_two(0, 1, 2, 1));
+  EXPECT_FALSE(gci_of_two(std::nan(""), 1, 2, 1));
+  EXPECT_FALSE(gci_of_two(1, std::numeric_limits<double>::infinity(), 2, 1));
+  for (const double bad : {0.0, -1.0, std::nan("")}) {
+    EXPECT_THROW(gci_of_two(1, 2, 2, bad), std::invalid_argument);
+    EXPECT_THROW(gci_of_two(1, 2, bad, 1), std::invalid_argument);
+  }
+}
+
 TEST(GridConvergenceTest, BadRatio) {
   for (const double ratio : {1.0, 0.5, 0.0, -2.0, std::nan(""), std::numeric_limits<double>::infinity()})
     EXPECT_THROW(grid_convergence(1, 2, 4, ratio), std::invalid_argument);

@@ -76,6 +76,12 @@ Mark mark(const Metric& metric, const Trajectory& answer, const Trajectory& trut
   return std::isfinite(value) ? Mark{value, "ok"} : Mark{nan, "not_finite"};
 }
 
+double truth_size(const Metric& metric, const Trajectory& truth, const MetricContext& context) {
+  expect_context(metric, context);
+  expect_body(truth, context);
+  return metric.size ? metric.size(truth, context) : 1;
+}
+
 double distance(const Metric& metric, const Trajectory& a, const Trajectory& b, const MetricContext& context) {
   if (!metric.of_truth_alone) return std::abs(mark(metric, a, b, context).value);
   return std::abs(mark(metric, a, a, context).value - mark(metric, b, b, context).value);

@@ -29,6 +29,9 @@ struct Metric {
   bool free_only;       // NaN, hence "undefined", for bodies that are not free
   bool of_truth_alone;  // a property of the truth: the answer is not looked at
   double (*value)(const Trajectory& answer, const Trajectory& truth, const MetricContext& context);
+  // What an error of one part of the truth's largest displacement (of stress: largest stress) may come to in this
+  // metric, in its unit; none: 1, since the metric is relative to the whole truth itself.
+  double (*size)(const Trajectory& truth, const MetricContext& context) = nullptr;
 };
 
 // The visible list. Values are >= 0 but for probe-magnitude, which is signed.
@@ -43,6 +46,9 @@ struct Mark {
 // Throws std::invalid_argument where times differ by more than 1e-9 of the sampling step, where points or bodies do not
 // match, or where the context names no body or probe of the scene.
 Mark mark(const Metric& metric, const Trajectory& answer, const Trajectory& truth, const MetricContext& context);
+
+// Metric::size, or 1. Infinite at a probe where the truth has nothing.
+double truth_size(const Metric& metric, const Trajectory& truth, const MetricContext& context);
 
 // How far two truths are apart in the eyes of a metric, >= 0: what error bars are summed from. NaN where undefined.
 double distance(const Metric& metric, const Trajectory& a, const Trajectory& b, const MetricContext& context);

@@ -74,6 +74,23 @@ double pose_rotation(const Trajectory& answer, const Trajectory& truth, const Me
   return largest;
 }
 
+// [m] over all points and times, rigid motion included.
+double largest_displacement(const Trajectory& truth, const MetricContext& context) {
+  const MatrixXd& u = truth.bodies[static_cast<std::size_t>(context.body)].displacement;
+  return u.size() == 0 ? 0 : u.reshaped(3, u.size() / 3).colwise().norm().maxCoeff();
+}
+
+double deviation_size(const Trajectory& truth, const MetricContext& context) {
+  return largest_displacement(truth, context) / extent(body(context).shape);
+}
+
+// [rad] that displacement turns a body by, at its radius of gyration.
+double rotation_size(const Trajectory& truth, const MetricContext& context) {
+  const auto& [X, w] = context.points.volume;
+  const Matrix3Xd arms = X.colwise() - centroid(X, w);
+  return largest_displacement(truth, context) / std::sqrt(arms.colwise().squaredNorm().dot(w) / w.sum());
+}
+
 // The place of the probe among those of its body.
 Index place_of_probe(const MetricContext& context) {
   const auto& probes = context.scene.probes;
@@ -88,6 +105,11 @@ VectorXd probe_signal(const Trajectory& trajectory, const MetricContext& context
       context.points.volume.points.cols() + context.points.surface.points.cols() + place_of_probe(context);
   const MatrixXd& u = trajectory.bodies[static_cast<std::size_t>(context.body)].displacement;
   return u.middleRows(3 * point, 3).transpose() * probe->direction;
+}
+
+// [-] A quiet probe has more of an error that is relative to the body's largest motion.
+double probe_size(const Trajectory& truth, const MetricContext& context) {
+  return largest_displacement(truth, context) / probe_signal(truth, context).cwiseAbs().maxCoeff();
 }
 
 double probe_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
@@ -107,15 +129,27 @@ double probe_combined(const Trajectory& answer, const Trajectory& truth, const M
   return probe_marks(answer, truth, context).combined;
 }
 
+using Stresses = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+VectorXd equivalent(Stresses s) {     // sqrt(3/2 s:s), column by column
+  s.bottomRows(3) *= std::sqrt(2.0);  // each shear stress stands twice in s:s
+  return std::sqrt(1.5) * s.colwise().norm().transpose();
+}
+
 // [Pa] von Mises' equivalent stress at a probe over time, sqrt(3/2 s:s) of the deviator s.
 VectorXd von_mises_signal(const Trajectory& trajectory, const MetricContext& context) {
   const MatrixXd& strain = trajectory.bodies[static_cast<std::size_t>(context.body)].strain;
   const Index place = context.points.volume.points.cols() + place_of_probe(context);
-  Eigen::Matrix<double, 6, Eigen::Dynamic> s =
-      elasticity_matrix(body(context).material) * strain.middleRows(6 * place, 6);
+  Stresses s = elasticity_matrix(body(context).material) * strain.middleRows(6 * place, 6);
   s.topRows(3).rowwise() -= s.topRows(3).colwise().mean().eval();
-  s.bottomRows(3) *= std::sqrt(2.0);  // each shear stress stands twice in s:s
-  return std::sqrt(1.5) * s.colwise().norm().transpose();
+  return equivalent(s);
+}
+
+// [-] Of the largest stress anywhere, its mean part included, to the largest equivalent one at the probe.
+double stress_size(const Trajectory& truth, const MetricContext& context) {
+  const MatrixXd& strain = truth.bodies[static_cast<std::size_t>(context.body)].strain;
+  if (strain.cols() == 0) return nan;
+  const Stresses all = elasticity_matrix(body(context).material) * strain.reshaped(6, strain.size() / 6);
+  return equivalent(all).maxCoeff() / von_mises_signal(truth, context).maxCoeff();
 }
 
 double probe_von_mises(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
@@ -140,29 +174,30 @@ std::vector<Metric> catalogue() {
   constexpr bool probe = true, free_only = true, truth_alone = true, no = false;
   return {
       {"displacement-error", "-",
-       "Relative L2 error of the deformation over space (M norm) and time, each answer in its own best rigid frame.",
+       "Relative L2 error of the deformation over space (M norm) and time, each answer in its own best rigid frame "
+       "where the body is free.",
        no, no, no, &displacement_error},
       {"strain-error", "-",
        "Relative error of the linear strain in the K norm (strain energy, stands for stress) over space and time.", no,
        no, no, &strain_error},
       {"surface-deviation", "-",
-       "Largest distance of the deformed surfaces over points and time, divided by the largest edge of the bounding "
-       "box.",
-       no, no, no, &surface_deviation},
+       "Largest distance of the deformed surfaces over points and time, each answer in its own best rigid frame where "
+       "the body is free, divided by the largest edge of the bounding box.",
+       no, no, no, &surface_deviation, &deviation_size},
       {"pose-translation", "m", "Largest distance of the centroids over time; free bodies only.", no, free_only, no,
-       &pose_translation},
+       &pose_translation, &largest_displacement},
       {"pose-rotation", "rad", "Largest angle between the best rigid frames over time; free bodies only.", no,
-       free_only, no, &pose_rotation},
+       free_only, no, &pose_rotation, &rotation_size},
       {"probe-error", "-", "Relative L2 error over time of a probe's displacement along its direction.", probe, no, no,
-       &probe_error},
+       &probe_error, &probe_size},
       {"probe-magnitude", "-", "Sprague and Geers' M of a probe's signal: relative excess of its size, signed.", probe,
-       no, no, &probe_magnitude},
+       no, no, &probe_magnitude, &probe_size},
       {"probe-phase", "-", "Sprague and Geers' P of a probe's signal: phase shift divided by pi, in [0, 1].", probe, no,
-       no, &probe_phase},
+       no, &probe_phase, &probe_size},
       {"probe-combined", "-", "Sprague and Geers' C of a probe's signal: sqrt(M^2 + P^2).", probe, no, no,
-       &probe_combined},
+       &probe_combined, &probe_size},
       {"probe-von-mises", "-", "Relative L2 error over time of von Mises' equivalent stress at a probe.", probe, no, no,
-       &probe_von_mises},
+       &probe_von_mises, &stress_size},
       {"truth-above-band", "-",
        "Share of the kinetic energy of the truth's deformation (Hann window) above a twentieth of samples_per_second.",
        no, no, truth_alone, &truth_above_band},

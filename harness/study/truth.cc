@@ -124,7 +124,7 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
 }
 
 double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, const MetricContext& context) {
-  if (kind == TruthKind::exact) return truth.exact_bar;
+  if (kind == TruthKind::exact) return truth.exact_bar * truth_size(metric, truth.of(kind), context);
   const double time = distance(metric, truth.loose, truth.same_mesh, context);
   return kind == TruthKind::same_mesh ? time : time + distance(metric, truth.coarser, truth.finer, context);
 }

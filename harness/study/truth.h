@@ -3,10 +3,12 @@
 //   error bar of a metric =
 //     against `finer`       distance(finer, coarser) + distance(rtol, rtol/100 on the body's mesh)
 //     against `same_mesh`   distance(rtol, rtol/100 on the body's mesh)
-//     against `exact`       the relative error of the closed form's series
+//     against `exact`       relative error of the closed form's series x size of the truth in this metric
 //
-// Distances are taken in the metric's own measure. Truths but the exact one are full order, stepped by SUNDIALS, and
-// cached in the store.
+// Distances are taken in the metric's own measure. Size (Metric::size): 1 where a metric is relative to the whole
+// truth, the largest displacement [m] for positions, that over the radius of gyration [rad] for rotations, the same to
+// a probe's own signal for probes. Truths but the exact one are full order, stepped by SUNDIALS, and cached in the
+// store.
 #pragma once
 
 #include <functional>
@@ -25,7 +27,7 @@ struct TruthSet {
   Trajectory finer, coarser;        // scene.truth.finer and its neighbour, at the scene's tolerance
   Trajectory same_mesh, loose;      // the body's mesh at a hundredth of the tolerance, and at the tolerance itself
   std::optional<Trajectory> exact;  // where the scene names a closed form
-  double exact_bar = 0;             // [-] relative, of its series
+  double exact_bar = 0;             // [-] of its series, relative to its largest displacement
   const Trajectory& of(TruthKind kind) const;  // throws std::logic_error where there is none of that kind
 };
 

@@ -1,0 +1,70 @@
+#include "harness/analysis/step_damping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace mb {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Of the larger root of lambda^2 - (2 + trace) lambda + (1 + trace + determinant) = 0: trace and determinant of A - I,
+// since ln|lambda| would be lost in 1 at small steps.
+double damping_of(double trace, double determinant) {
+  const double square = trace * trace / 4 - determinant;
+  double log_modulus = 0, phase = pi;
+  if (square < 0) {
+    log_modulus = std::log1p(trace + determinant) / 2;
+    phase = std::atan2(std::sqrt(-square), 1 + trace / 2);
+  } else {
+    const double lambda = 1 + trace / 2 + std::copysign(std::sqrt(square), 1 + trace / 2);
+    if (!(lambda < 0)) return nan;
+    log_modulus = std::log(-lambda);
+  }
+  return -log_modulus / std::hypot(log_modulus, phase);
+}
+
+}  // namespace
+
+double step_damping(const Scheme& scheme, double omega_h, double zeta) {
+  if (!(omega_h > 0 && std::isfinite(omega_h) && zeta >= 0 && std::isfinite(zeta)))
+    throw std::invalid_argument("the damping of a step needs omega h > 0 and zeta >= 0");
+  const Matrix2d B = scheme.increment(omega_h, zeta);
+  return damping_of(B.trace(), B.determinant());
+}
+
+double run_damping(const System& system, const SteppedMode& mode, const Integrator& integrator, double dt) {
+  constexpr Index n_samples = 6;       // enough to tell two unknowns and to even out rounding
+  constexpr double most_steps = 4000;  // between samples: modes slower than that are told less precisely
+  const double steps = std::clamp(std::floor(1 / (mode.omega * dt)), 1.0, most_steps);
+  // Not from the start: there central differences step by the initial velocity.
+  const VectorXd times = steps * dt * VectorXd::LinSpaced(n_samples, 1, n_samples);
+  const System alone = let_go(system, mode.phi);
+  Settings settings;
+  settings.time_step = dt;
+  const States states = integrator.prepare(alone, settings, times(n_samples - 1))->run(times);
+  if (states.status != Status::ok) return nan;
+  const VectorXd y = states.u.transpose() * mode.M_phi;
+  // y_{k+2} - 2 y_{k+1} + y_k = trace (y_{k+1} - y_k) - determinant y_k, both of A^m - I.
+  MatrixXd equations(n_samples - 2, 2);
+  VectorXd right(n_samples - 2);
+  for (Index k = 0; k + 2 < n_samples; ++k) {
+    const double size = y.segment(k, 3).cwiseAbs().maxCoeff();  // growing runs are not told by their end alone
+    equations.row(k) << (y(k + 1) - y(k)) / size, -y(k) / size;
+    right(k) = (y(k + 2) - 2 * y(k + 1) + y(k)) / size;
+  }
+  if (!equations.allFinite() || !right.allFinite()) return nan;
+  const VectorXd found = equations.colPivHouseholderQr().solve(right);
+  return damping_of(found(0), found(1));
+}
+
+const Scheme* scheme_of(const std::string& integrator, const System& system) {
+  for (const Scheme& one : schemes())
+    if (one.integrator == integrator && steps_as(one, system)) return &one;
+  return nullptr;
+}
+
+}  // namespace mb

@@ -1,0 +1,79 @@
+#include "harness/study/truth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cases/exact/exact.h"
+#include "cases/exact/exact_test_scenes.h"
+
+namespace mb {
+namespace {
+
+struct PulsedSphere {
+  Scene scene = sphere_scene();
+  EvaluationPoints points = evaluation_points(scene, scene.bodies[0]);
+  TruthSet truth;
+
+  PulsedSphere() {
+    const VectorXd t = VectorXd::LinSpaced(61, 0, scene.duration);
+    const ExactSolution& solution = exact_solution("sphere-radial-pulse");
+    truth.exact = solution.at(scene, points, t);
+    truth.exact_bar = solution.error_bar;
+  }
+  double bar(const std::string& name, Index probe = -1) const {
+    return error_bar(metric(name), truth, TruthKind::exact, {scene, 0, points, true, probe});
+  }
+  double largest() const {
+    const MatrixXd& u = truth.exact->bodies[0].displacement;
+    return u.reshaped(3, u.size() / 3).colwise().norm().maxCoeff();
+  }
+};
+
+// A sphere of 0.3 m whose surface moves by micrometres: its pose is not known to 1e-9 m but to 1e-9 of that.
+TEST(ErrorBar, AgainstAClosedFormIsInTheUnitOfTheMetric) {
+  const PulsedSphere sphere;
+  const double relative = sphere.truth.exact_bar, u = sphere.largest();
+  ASSERT_GT(relative, 0);
+  ASSERT_GT(u, 0);
+  ASSERT_LT(u, 1e-3);
+  for (const char* name : {"displacement-error", "strain-error"}) EXPECT_EQ(sphere.bar(name), relative) << name;
+  EXPECT_DOUBLE_EQ(sphere.bar("pose-translation"), relative * u);
+  const double gyration = 0.3 * std::sqrt(0.6);
+  EXPECT_NEAR(sphere.bar("pose-rotation"), relative * u / gyration,
+              1e-3 * relative * u / gyration);  // of some 300 points
+  EXPECT_DOUBLE_EQ(sphere.bar("surface-deviation"), relative * u / 0.6);
+}
+
+TEST(ErrorBar, OfAProbeIsRelativeToWhatTheProbeSees) {
+  const PulsedSphere sphere;
+  const double relative = sphere.truth.exact_bar;
+  for (const char* name : {"probe-error", "probe-magnitude", "probe-phase", "probe-combined"}) {
+    EXPECT_GE(sphere.bar(name, 0), relative) << name;  // at the surface, which moves most but for what focuses inside
+    EXPECT_LT(sphere.bar(name, 0), 2 * relative) << name;
+    EXPECT_TRUE(std::isinf(sphere.bar(name, 1))) << name;  // the centre never moves
+  }
+  EXPECT_GT(sphere.bar("probe-von-mises", 0), relative);  // stress of the surface is less than that inside
+}
+
+TEST(ErrorBar, GrowsWithTheTruthInMetresAndNotWhereItIsRelative) {
+  PulsedSphere sphere;
+  const double relative = sphere.bar("displacement-error"), metres = sphere.bar("pose-translation"),
+               radians = sphere.bar("pose-rotation"), probe = sphere.bar("probe-error", 0);
+  sphere.truth.exact->bodies[0].displacement *= 10;
+  EXPECT_EQ(sphere.bar("displacement-error"), relative);
+  EXPECT_NEAR(sphere.bar("pose-translation"), 10 * metres, 1e-12 * metres);
+  EXPECT_NEAR(sphere.bar("pose-rotation"), 10 * radians, 1e-12 * radians);
+  EXPECT_NEAR(sphere.bar("probe-error", 0), probe, 1e-12 * probe);
+}
+
+TEST(ErrorBar, NeedsATruthOfTheKind) {
+  const PulsedSphere sphere;
+  TruthSet none;
+  EXPECT_THROW(
+      error_bar(metric("displacement-error"), none, TruthKind::exact, {sphere.scene, 0, sphere.points, true, -1}),
+      std::logic_error);
+}
+
+}  // namespace
+}  // namespace mb
