@@ -80,6 +80,7 @@ TEST(EstimateTest, ASlenderMeshIsCheaper) {
   const Catalogue catalogue = default_catalogue();
   Scene scene = read_toml(written(folder / "small.toml", small_case()), catalogue.vocabulary());
   scene.bodies.front().shape = Box{{1, 1, 1}};
+  scene.study.rivals.clear();  // their cells are of the other shape
   const auto truth_on = [&](const std::vector<int>& cells) {
     scene.bodies.front().resolution = scene.truth.finer = scene.truth.coarser = {2, cells};
     return estimate(scene, catalogue).truth;
