@@ -8,8 +8,20 @@
 
 namespace mb {
 
+namespace {
+
+MatrixXd product(const MatrixXd& U, const MatrixXd& q) { return U * q; }
+// Time by time: a product with all of q at once would jump from column to column.
+MatrixXd product(const SparseMatrix& U, const MatrixXd& q) {
+  MatrixXd values(U.rows(), q.cols());
+  for (Index k = 0; k < q.cols(); ++k) values.col(k).noalias() = U * q.col(k);
+  return values;
+}
+
+}  // namespace
+
 MatrixXd observe(const Observation& observation, const MatrixXd& q, const MatrixXd& s) {
-  MatrixXd values = std::visit([&](const auto& U) -> MatrixXd { return U * q; }, observation.of_state);
+  MatrixXd values = std::visit([&](const auto& U) { return product(U, q); }, observation.of_state);
   if (observation.of_load.cols() > 0) values.noalias() += observation.of_load * s;
   return values;
 }

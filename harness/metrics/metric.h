@@ -47,6 +47,15 @@ struct Mark {
 // match, or where the context names no body or probe of the scene.
 Mark mark(const Metric& metric, const Trajectory& answer, const Trajectory& truth, const MetricContext& context);
 
+// Whether displacement and strain of a body are finite; false where there is no such body. One pass over the answer,
+// which `mark` makes of both unless it is told.
+bool is_finite(const Trajectory& trajectory, Index body);
+struct Finite {
+  bool answer, truth;
+};
+Mark mark(const Metric& metric, const Trajectory& answer, const Trajectory& truth, const MetricContext& context,
+          const Finite& finite);
+
 // Metric::size, or 1. Infinite at a probe where the truth has nothing.
 double truth_size(const Metric& metric, const Trajectory& truth, const MetricContext& context);
 

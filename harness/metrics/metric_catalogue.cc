@@ -19,9 +19,12 @@ const Body& body(const MetricContext& context) { return context.scene.bodies[sta
 double ratio(double error, double size) { return size > 0 ? error / size : nan; }
 
 // sum_t tau sum_i w_i |d_i|^2 of 3 p x n_t values; w [m^3]. The constant density cancels in every ratio.
-double squared_norm(const MatrixXd& d, const VectorXd& w, const VectorXd& tau) {
+template <class Values>
+double squared_norm(const Values& d, const VectorXd& w, const VectorXd& tau) {
   const VectorXd w3 = w.replicate(1, 3).transpose().reshaped();
-  return w3.transpose() * d.cwiseAbs2() * tau;
+  double sum = 0;
+  for (Index k = 0; k < d.cols(); ++k) sum += tau(k) * d.col(k).cwiseAbs2().dot(w3);
+  return sum;
 }
 
 double displacement_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {

@@ -31,6 +31,9 @@ Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free
         subjects_.push_back({metric, at_probe, scene.probes[p].name});
       }
     }
+  for (const TruthKind kind : known_truths(truth_))
+    for (Index b = 0; b < static_cast<Index>(points_.size()); ++b)
+      finite_truths_[kind].push_back(is_finite(truth_.of(kind), b));
   for (size_t i = 0; i < subjects_.size(); ++i)
     for (const TruthKind kind : known_truths(truth_))
       if (kind == TruthKind::finer || !subjects_[i].metric.of_truth_alone)
@@ -58,11 +61,15 @@ Record Grader::blank(const Record& base, const Subject& subject, TruthKind kind)
 
 std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) const {
   std::vector<Record> records;
+  std::vector<bool> finite;  // one a body
+  for (Index b = 0; b < static_cast<Index>(points_.size()); ++b) finite.push_back(is_finite(answer, b));
   for (const TruthKind kind : kinds(base))
     for (size_t i = 0; i < subjects_.size(); ++i) {
       const Subject& subject = subjects_[i];
       if (subject.metric.of_truth_alone) continue;
-      const Mark mark = mb::mark(subject.metric, answer, truth_.of(kind), subject.context);
+      const auto body = static_cast<size_t>(subject.context.body);
+      const Mark mark = mb::mark(subject.metric, answer, truth_.of(kind), subject.context,
+                                 {finite[body], finite_truths_.at(kind)[body]});
       Record record = blank(base, subject, kind);
       record.value = mark.value;
       record.status = mark.status;

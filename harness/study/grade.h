@@ -41,6 +41,7 @@ class Grader {
   std::vector<EvaluationPoints> points_;
   std::vector<Subject> subjects_;
   std::map<std::pair<size_t, TruthKind>, double> bars_;
+  std::map<TruthKind, std::vector<bool>> finite_truths_;  // one a body
 };
 
 }  // namespace mb
