@@ -10,8 +10,9 @@
 namespace mb {
 
 // relative_tolerance [-] in [1e-12, 1e-2]; absolute ones are it times scales of displacement and velocity. It alone
-// rules the steps, whatever the times asked for, up to a quarter of the duration and to the next breakpoint of a load; output between steps is
-// interpolated by ARKODE's Hermite polynomial of degree 4. duration [s]: the longest time that will be asked for.
+// rules the steps, whatever the times asked for, up to a quarter of the duration and to the next breakpoint of a load;
+// output between steps is interpolated by ARKODE's Hermite polynomial of degree 4. duration [s]: the longest time that
+// will be asked for.
 std::unique_ptr<Stepper> sundials(const System& system, double relative_tolerance, double duration);
 
 }  // namespace mb

@@ -47,16 +47,17 @@ std::vector<Cell> side_cells(const Run* run) {
 }  // namespace
 
 Sheet phases_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown) {
-  Sheet table{.name = "phases",
-              .title = "What the times are made of",
-              .note =
-                  "Of every pair in the table of speed-ups. Assembly: mesh, matrices and loads; preparation, the rest "
-                  "of offline: factorisation, eigensolve, projection of the loads; stepping: the online time without "
-                  "reconstruction at the evaluation points, which is the rest of it. A rest is a difference of two "
-                  "measurements; below their spreads together it prints as <= that. Stepping is timed apart in cheap "
-                  "runs alone. Work is that of the run whose online time stands beside it; a closed form takes no steps.",
-              .columns = speed_up_key_columns(),
-              .rows = {}};
+  Sheet table{
+      .name = "phases",
+      .title = "What the times are made of",
+      .note =
+          "Of every pair in the table of speed-ups. Assembly: mesh, matrices and loads; preparation, the rest "
+          "of offline: factorisation, eigensolve, projection of the loads; stepping: the online time without "
+          "reconstruction at the evaluation points, which is the rest of it. A rest is a difference of two "
+          "measurements; below their spreads together it prints as <= that. Stepping is timed apart in cheap "
+          "runs alone. Work is that of the run whose online time stands beside it; a closed form takes no steps.",
+      .columns = speed_up_key_columns(),
+      .rows = {}};
   for (const std::string side : {"", "rival "}) {
     if (!side.empty()) table.columns.push_back({"rival", ""});
     for (Column& column : side_columns(side)) table.columns.push_back(std::move(column));

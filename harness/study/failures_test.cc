@@ -65,7 +65,8 @@ TEST(FailureCases, AnAnalysisThatThrowsTakesNoOtherWithIt) {
   EXPECT_THAT(failed->note, HasSubstr(why));
   const Said second = modalbench(scratch.path(), {"run", "case.toml"});
   EXPECT_EQ(second.code, 3);
-  EXPECT_THAT(second.err, HasSubstr("0 runs done, 6 found in results, 1 failed; a failure that is stored stays until --again"));
+  EXPECT_THAT(second.err,
+              HasSubstr("0 runs done, 6 found in results, 1 failed; a failure that is stored stays until --again"));
 }
 
 TEST(FailureCases, ATruthThatFailsLeavesARecordUntilItSucceeds) {
