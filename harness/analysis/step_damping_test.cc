@@ -4,25 +4,13 @@
 
 #include <cmath>
 
+#include "harness/analysis/oscillators_test.h"
 #include "harness/catalogue.h"
 
 namespace mb {
 namespace {
 
-// Uncoupled unit masses, with the mass lumped or not.
-System oscillators(const VectorXd& omega, const Rayleigh& damping, bool lumped) {
-  const Index n = omega.size();
-  System system;
-  system.M = SparseMatrix(VectorXd::Ones(n).asDiagonal());
-  system.K = SparseMatrix(VectorXd(omega.array().square()).asDiagonal());
-  if (lumped) system.lumped_mass = system.M;
-  system.damping = damping;
-  system.modal_damping.W.resize(n, 0);
-  system.R.resize(n, 0);
-  system.F.resize(n, 0);
-  system.u0 = system.v0 = VectorXd::Zero(n);
-  return system;
-}
+using test::oscillators;
 
 const VectorXd omega{{3, 40, 200}};  // [rad/s]
 const std::vector<std::string> fixed_steps{"newmark", "central-difference", "explicit-euler", "symplectic-euler"};

@@ -4,25 +4,15 @@
 
 #include <cmath>
 
+#include "harness/analysis/oscillators_test.h"
 #include "harness/catalogue.h"
 #include "mechanics/algebra/box_test_system.h"
 
 namespace mb {
 namespace {
 
-// Uncoupled unit masses of the frequencies given: a reduced system.
-System oscillators(const VectorXd& omega, const Rayleigh& damping) {
-  const Index n = omega.size();
-  System system;
-  system.M = SparseMatrix(VectorXd::Ones(n).asDiagonal());
-  system.K = SparseMatrix(VectorXd(omega.array().square()).asDiagonal());
-  system.damping = damping;
-  system.modal_damping.W.resize(n, 0);
-  system.R.resize(n, 0);
-  system.F.resize(n, 0);
-  system.u0 = system.v0 = VectorXd::Zero(n);
-  return system;
-}
+using test::oscillators;
+
 VectorXd ratios(const VectorXd& omega, const Rayleigh& damping) {
   return damping.alpha / (2 * omega.array()) + damping.beta * omega.array() / 2;
 }
