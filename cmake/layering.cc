@@ -46,7 +46,7 @@ const std::vector<Door> doors = {
     {"JSON", "nlohmann/", "cases/json/json.h"},
     {"deal.II", "deal\\.II/", "reference/fem/"},
     {"SUNDIALS", "arkode|cvode|ida|kinsol|nvector/|sundials|sunmatrix/|sunlinsol/|sunnonlinsol/",
-     "reference/sundials.cc"},
+     "reference/sundials/"},
     {"ARPACK", "arpack|parpack", "modal/bases/arpack.cc"},
     {"CLI11", "CLI/|CLI11", "harness/command_line.cc"},
     {"HDF5", "hdf5|H5", "harness/store/hdf5.cc"},

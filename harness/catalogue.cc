@@ -5,6 +5,7 @@
 
 #include "harness/analysis/analysis.h"
 #include "harness/metrics/metric.h"
+#include "mechanics/contact/contact_steppers.h"
 #include "mechanics/system/central_difference.h"
 #include "mechanics/system/exact.h"
 #include "mechanics/system/explicit_euler.h"
@@ -12,29 +13,39 @@
 #include "mechanics/system/symplectic_euler.h"
 #include "modal/methods/methods.h"
 #include "reference/full_order.h"
-#include "reference/sundials.h"
+#include "reference/sundials/sundials.h"
 
 namespace mb {
 
 Catalogue default_catalogue() {
   using Knob = Integrator::Knob;
-  return {{full_order(), eigenmodes(), static_correction(), linear_strain(), quadratic_strain(), full_basis()},
-          {{"exact", "closed form of every mode on each segment of the load",
-            [](const System& s, const Settings& set, double T) { return exact(s, T, set.load_tolerance); }, Knob::none},
-           {"newmark", "average acceleration with a fixed step, one factor",
-            [](const System& s, const Settings& set, double) { return newmark(s, set.time_step); }, Knob::time_step},
-           {"central-difference", "explicit central differences; on a mesh with the mass lumped",
-            [](const System& s, const Settings& set, double) { return central_difference(s, set.time_step); },
-            Knob::time_step, true},
-           {"explicit-euler", "explicit Euler, the one the paper names",
-            [](const System& s, const Settings& set, double) { return explicit_euler(s, set.time_step); },
-            Knob::time_step, true},
-           {"symplectic-euler", "symplectic (semi-implicit) Euler",
-            [](const System& s, const Settings& set, double) { return symplectic_euler(s, set.time_step); },
-            Knob::time_step, true},
-           {"sundials", "ARKODE, adaptive ESDIRK of order 5",
-            [](const System& s, const Settings& set, double T) { return sundials(s, set.relative_tolerance, T); },
-            Knob::tolerance}}};
+  return {
+      {full_order(), eigenmodes(), static_correction(), linear_strain(), quadratic_strain(), full_basis()},
+      {{"exact", "closed form of every mode on each segment of the load",
+        [](const System& s, const Settings& set, double T) { return exact(s, T, set.load_tolerance); }, Knob::none},
+       {"newmark", "average acceleration with a fixed step, one factor",
+        [](const System& s, const Settings& set, double) { return newmark(s, set.time_step); }, Knob::time_step, false,
+        [](const System& s, const std::vector<Contact>& c, const Settings& set, double) {
+          return newmark(s, c, set.time_step);
+        }},
+       {"central-difference", "explicit central differences; on a mesh with the mass lumped",
+        [](const System& s, const Settings& set, double) { return central_difference(s, set.time_step); },
+        Knob::time_step, true,
+        [](const System& s, const std::vector<Contact>& c, const Settings& set, double) {
+          return central_difference(s, c, set.time_step);
+        }},
+       {"explicit-euler", "explicit Euler, the one the paper names",
+        [](const System& s, const Settings& set, double) { return explicit_euler(s, set.time_step); }, Knob::time_step,
+        true},
+       {"symplectic-euler", "symplectic (semi-implicit) Euler",
+        [](const System& s, const Settings& set, double) { return symplectic_euler(s, set.time_step); },
+        Knob::time_step, true},
+       {"sundials", "ARKODE, adaptive ESDIRK of order 5",
+        [](const System& s, const Settings& set, double T) { return sundials(s, set.relative_tolerance, T); },
+        Knob::tolerance, false,
+        [](const System& s, const std::vector<Contact>& c, const Settings& set, double T) {
+          return sundials(s, c, set.relative_tolerance, T);
+        }}}};
 }
 
 const Method& Catalogue::method(const std::string& name) const {

@@ -1,5 +1,5 @@
 // Full order: a body of the scene on hexahedra of degree 1 to 4 with curved boundary mapping (deal.II), consistent
-// mass, full Gauss quadrature, supports condensed:
+// mass, full Gauss quadrature, supports and the hanging nodes of graded meshes condensed:
 //
 //   u_full = T u,   M = T^T M_full T,   K = T^T K_full T,   F = T^T F_full
 //
@@ -21,12 +21,14 @@ namespace mb {
 using ModeSolver = std::function<Modes(const System& system, const Body& body, int n_elastic)>;
 
 // Mesh and matrices of one body of the scene at the resolution given. Throws std::invalid_argument for supports which
-// leave nothing free or contradict each other, discs off their face, resolutions out of range, and damping ratios
-// without a solver. Damping ratios beyond the last one given, in the rest of a multiplet, are the last one's.
+// leave nothing free or contradict each other, discs off their face, resolutions out of range, graded ones of a body
+// without contact, and damping ratios without a solver. Damping ratios beyond the last one given, in the rest of a
+// multiplet, are the last one's.
 std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body, const Resolution& resolution,
                                             const ModeSolver& modes = {});
 
-// Every body of the scene, with its observation at the evaluation points. resolution: overrides that of every body.
+// Every body of the scene, with its observation at the evaluation points. resolution: overrides that of every body; one
+// without contact takes it ungraded.
 Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resolution = nullptr,
                   const ModeSolver& modes = {});
 

@@ -1,5 +1,7 @@
 #include "reference/full_order.h"
 
+#include "reference/impact.h"
+
 #include "cases/contract/linear.h"
 
 namespace mb {
@@ -11,7 +13,14 @@ class FullOrder final : public LinearMethod {
   std::string name() const override { return "full-order"; }
   std::string doc() const override { return "every degree of freedom of the mesh (identity basis)"; }
   bool takes_modes() const override { return false; }
-  Reduction reduce(const Model& model, const Settings&) const override { return unreduced(model); }
+  Reduction reduce(const Model& model, const Settings&) const override {
+    Reduction reduction = unreduced(model);
+    if (!model.scene->contacts.empty())
+      reduction.in_contact = [&model](const Integrator& integrator, const Settings& settings) {
+        return prepare_impact(model, integrator, settings);
+      };
+    return reduction;
+  }
 };
 
 }  // namespace

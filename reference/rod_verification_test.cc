@@ -8,7 +8,7 @@
 #include "mechanics/system/central_difference.h"
 #include "mechanics/system/newmark.h"
 #include "reference/static_answer.h"
-#include "reference/sundials.h"
+#include "reference/sundials/sundials.h"
 
 namespace mb {
 namespace {

@@ -19,6 +19,11 @@ std::string describe(const Cylinder& cylinder) {
   return "cylinder of radius " + in(cylinder.radius, "m") + " and length " + in(cylinder.length, "m");
 }
 std::string describe(const Sphere& sphere) { return "sphere of radius " + in(sphere.radius, "m"); }
+std::string describe(const Superquadric& body) {
+  return "superquadric of semi-axes " + format_setting(body.semi_axes.x()) + ", " + format_setting(body.semi_axes.y()) +
+         ", " + in(body.semi_axes.z(), "m") + " and exponents " + format_setting(body.e1) + ", " +
+         format_setting(body.e2);
+}
 
 std::string describe(const Material& material) {
   const std::string rho = ", rho = " + in(material.density, "kg/m^3");

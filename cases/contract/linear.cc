@@ -123,11 +123,16 @@ Reduction unreduced(const Model& model) {
   Reduction reduction{{}, -1};
   for (const BodyModel& body : model.bodies)
     reduction.bodies.push_back({body.full->system(), {body.displacement, {}}, {body.strain, {}}});
+  if (!model.scene->contacts.empty())
+    reduction.in_contact = [](const Integrator&, const Settings&) -> std::unique_ptr<Prepared> {
+      throw std::invalid_argument("a linear system alone: contact is not simulated");
+    };
   return reduction;
 }
 
 std::unique_ptr<Prepared> prepare_linear(std::shared_ptr<const Reduction> reduction, const Integrator& integrator,
                                          const Settings& settings, double duration) {
+  if (reduction->in_contact) return reduction->in_contact(integrator, settings);
   return std::make_unique<PreparedLinear>(std::move(reduction), integrator, settings, duration);
 }
 

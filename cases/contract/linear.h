@@ -4,6 +4,7 @@
 //   statically
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -27,6 +28,8 @@ struct LinearBody {
 struct Reduction {
   std::vector<LinearBody> bodies;
   int modes_used;  // elastic modes of the basis, of the body that uses most; -1 for full order
+  // In a scene with contact: what answers in the place of linear steppers.
+  std::function<std::unique_ptr<Prepared>(const Integrator& integrator, const Settings& settings)> in_contact = {};
 };
 
 // Every degree of freedom of the mesh: the identity as basis, u = q.

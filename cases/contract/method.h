@@ -37,6 +37,10 @@ struct Decision {
 struct BodyTrajectory {
   MatrixXd displacement;  // [m] 3 p x n_t at EvaluationPoints::all()
   MatrixXd strain;        // [-] 6 p x n_t at EvaluationPoints::strained(), or 0 columns where not wanted
+  // In scenes with contact, else of size 0. Displacements of free bodies are then x - X, from the body's
+  // frame to the world.
+  ContactHistory contact = {};  // of all its obstacles together, world axes
+  VectorXd energy = {};  // [J] kinetic, elastic, of the weight since t = 0 and in contacts; n_t, or 0 where not wanted
 };
 struct Trajectory {
   VectorXd t;  // [s]
@@ -61,6 +65,9 @@ struct Integrator {
   std::unique_ptr<Stepper> (*prepare)(const System& system, const Settings& settings, double duration);
   enum class Knob { none, time_step, tolerance } knob = Knob::time_step;  // what its accuracy is set by
   bool conditionally_stable = false;                                      // blows up beyond a largest step
+  // The same in contact, from the first touch on; none: it cannot. Contacts must outlive the stepper.
+  std::unique_ptr<Stepper> (*prepare_in_contact)(const System& system, const std::vector<Contact>& contacts,
+                                                 const Settings& settings, double duration) = nullptr;
 };
 
 class Method {

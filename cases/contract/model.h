@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cases/scene/scene.h"
+#include "mechanics/contact/contact.h"
 #include "mechanics/system/system.h"
 
 namespace mb {
@@ -32,6 +33,11 @@ class FullModel {
   // n x k: polynomials in x, y, z of at most that degree (>= 0) for each component which every support admits, at the
   // degrees of freedom; of full rank, columns of comparable size. A free body: 3, 12, 30 columns for degree 0, 1, 2.
   virtual MatrixXd polynomials(int degree) const = 0;
+  // Points of the boundary that may touch an obstacle, which stands in the body's axes as at the first touch: faces
+  // within `reach` [m] of it that look at it. Throws std::invalid_argument where there is none.
+  virtual ContactPoints contact_points(const RigidSurface& surface, double reach) const = 0;
+  virtual VectorXd translation(
+      const Vector3d& direction) const = 0;  // n: by `direction` [m] of a body without supports
   virtual Index n_cells() const = 0;
   virtual double mesh_volume() const = 0;  // [m^3]
 };

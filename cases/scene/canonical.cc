@@ -27,7 +27,10 @@ std::string canonical(const Shape& shape) {
                             [](const Cylinder& cylinder) {
                               return fmt::format("{} {}", number(cylinder.radius), number(cylinder.length));
                             },
-                            [](const Sphere& sphere) { return number(sphere.radius); }},
+                            [](const Sphere& sphere) { return number(sphere.radius); },
+                            [](const Superquadric& body) {
+                              return fmt::format("{} {} {}", vector(body.semi_axes), number(body.e1), number(body.e2));
+                            }},
                  shape);
   return fmt::format("shape {} {}\n", kind_name(shape), numbers);
 }
@@ -69,6 +72,18 @@ std::string canonical(const Material& material) {
   return out;
 }
 
+// What a scene may leave out stands here only where it is not the default: no text of a scene without it changes.
+std::string stated(const char* key, const Vector3d& x) {
+  return x.isZero(0) ? "" : fmt::format("{} {}\n", key, vector(x));
+}
+
+std::string canonical(const Pose& pose) {
+  const Vector3d turn = pose.orientation.vec();
+  std::string out = stated("position", pose.position);
+  if (!turn.isZero(0)) out += fmt::format("orientation {} {}\n", number(pose.orientation.w()), vector(turn));
+  return out;
+}
+
 std::string canonical(const Body& body) {
   std::string out = fmt::format("body {}\n{}", body.name, canonical(body.shape));
   out += canonical(body.material);
@@ -80,7 +95,24 @@ std::string canonical(const Body& body) {
     if (!support.drive) continue;
     out += fmt::format("drive {} {}\n", vector(support.drive->direction), canonical(support.drive->acceleration));
   }
-  return out;
+  out += canonical(body.pose);
+  return out + stated("velocity", body.twist.velocity) + stated("angular_velocity", body.twist.angular_velocity);
+}
+
+std::string canonical(const Obstacle& obstacle) {
+  const RigidSurface& surface = obstacle.surface;
+  std::string out = fmt::format("obstacle {}\n", obstacle.name);
+  out += std::visit(overloaded{[](const HalfSpace&) { return std::string("shape half-space\n"); },
+                               [](const Shape& shape) { return canonical(shape); }},
+                    surface.shape);
+  if (surface.rounding != 0) out += fmt::format("rounding {}\n", number(surface.rounding));
+  return out + canonical(surface.pose);
+}
+
+std::string canonical(const ContactPair& pair) {
+  return fmt::format("contact {} {} stiffness {} damping {} friction {} {}\n", pair.body, pair.obstacle,
+                     pair.stiffness == 0 ? "auto" : number(pair.stiffness), number(pair.damping), number(pair.friction),
+                     number(pair.slip_speed));
 }
 
 std::string canonical(const Load& load) {
@@ -98,6 +130,9 @@ std::string canonical(const Scene& scene) {
   std::string out = "scene 1\n";
   for (const Body& body : scene.bodies) out += canonical(body);
   for (const Load& load : scene.loads) out += canonical(load);
+  out += stated("gravity", scene.gravity);
+  for (const Obstacle& obstacle : scene.obstacles) out += canonical(obstacle);
+  for (const ContactPair& pair : scene.contacts) out += canonical(pair);
   for (const Probe& probe : scene.probes) {
     out += fmt::format("probe {} {} {} {}\n", probe.name, probe.body, vector(probe.point), vector(probe.direction));
   }

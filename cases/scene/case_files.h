@@ -34,6 +34,9 @@ inline std::string content(const std::filesystem::path& file) {
 // A cylinder under compression, to be changed line by line.
 inline std::string cylinder_text() { return content(cases_folder() / "scene/example.toml"); }
 
+// A ball that falls on a step: every key of a scene with contact.
+inline std::string contact_text() { return content(cases_folder() / "scene/example_contact.toml"); }
+
 // The text with one passage replaced; throws where it does not stand there exactly once, so that no test is void.
 inline std::string with(std::string text, const std::string& passage, const std::string& replacement) {
   const std::size_t at = text.find(passage);

@@ -10,7 +10,8 @@
 namespace mb {
 
 struct KeyDoc {
-  // "body.material.density". Of what stands in several places once: history.*, disc.*, mesh.*; NAME is a profile.
+  // "body.material.density". Of what stands in several places once: history.*, disc.*, pose.*, mesh.*; NAME is a
+  // profile.
   std::string path;
   std::string type;      // "a number", "an array of 3 numbers", "one of fixed, sliding", "a table"
   std::string range;     // "[1, 1e13]", or in words where it depends on the case; "" for none

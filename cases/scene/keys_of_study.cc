@@ -25,6 +25,8 @@ const std::vector<KeyGroup>& study_keys() {
         {"study.modes", "an array of 1 to 64 integers", "[0, 4096]", "", "required where a method takes a mode count",
          "elastic modes, ascending, at most the mesh's degrees of freedom less 6; rigid ones always stay",
          "[0, 4, 16]"},
+        {"study.contact_steps", "an array of 1 to 64 numbers", "(0, 1]", "s", "required in scenes with contact",
+         "while bodies touch, of methods in closed form; only in scenes with contact", ""},
         {"study.load_tolerance", "a number", "[1e-9, 0.1]", "", "1e-5",
          "error allowed where a chirp or expression is resampled for the closed form, relative to its peak", ""},
         {"study.analyses", "an array of 1 to 64 analyses", "", "", "none",
@@ -37,6 +39,7 @@ const std::vector<KeyGroup>& study_keys() {
         {"study.rival.degrees", "an array of 1 to 4 integers", "[1, 4]", "", "required", "ascending", "[1, 2]"},
         {"study.rival.cells", "an array of 1 to 64 arrays of 1 to 3 integers", "[0, 1024]", "", "required",
          "as `cells` of a mesh", "[[1, 1, 2], [2, 2, 4]]"},
+        {"study.rival.graded", "an integer", "[0, 12]", "", "0", "of all these meshes, as `graded` of a mesh", ""},
         {"study.rival.time_steps", "an array of 1 to 64 numbers", "1e-6 to 1 times the shortest duration", "s",
          "required for fixed steps", "not for adaptive integrators", "[0.01, 0.001]"},
         {"study.rival.relative_tolerances", "an array of 1 to 64 numbers", "[1e-12, 0.01]", "",
@@ -76,6 +79,8 @@ const std::vector<KeyGroup>& study_keys() {
         {"profile.NAME.finer", "a table", "", "", "truth.finer", "in its place", ""},
         {"profile.NAME.coarser", "a table", "", "", "truth.coarser", "in its place", ""},
         {"profile.NAME.modes", "an array of 1 to 64 integers", "[0, 4096]", "", "study.modes", "in their place", ""},
+        {"profile.NAME.contact_steps", "an array of 1 to 64 numbers", "(0, 1]", "s", "study.contact_steps",
+         "in their place", ""},
         {"profile.NAME.rival", "0 to 16 tables", "", "", "study.rival", "in the place of all of them", ""},
         {"profile.NAME.stepping", "0 to 16 tables", "", "", "study.stepping", "in the place of all of them", ""}}}};
   return groups;

@@ -1,37 +1,13 @@
 #include "cases/scene/read_body.h"
 
-#include "cases/scene/resolution.h"
+#include <algorithm>
+
+#include "cases/scene/read_mesh.h"
+#include "cases/scene/read_shape.h"
 
 namespace mb {
 
 namespace {
-
-const Range length_range{1e-6, 1e4, "m"};  // from a grain to a mountain
-
-std::optional<Shape> read_shape(Section section) {
-  const Words words{{"box", "cylinder", "sphere", "superquadric"}, "shape kind", "shape kinds"};
-  const auto kind = section.choice("kind", words);
-  if (!kind) {
-    section.finish(false);
-    return std::nullopt;
-  }
-  if (*kind == "superquadric") {
-    section.error("kind", "shape kind 'superquadric' is understood, but cannot be simulated yet");
-    return std::nullopt;
-  }
-  std::optional<Shape> shape;
-  if (*kind == "box") {
-    if (const auto size = section.vector("size", length_range)) shape = Box{*size};
-  } else if (*kind == "cylinder") {
-    const auto radius = section.number("radius", length_range);
-    const auto length = section.number("length", length_range);
-    if (radius && length) shape = Cylinder{*radius, *length};
-  } else if (const auto radius = section.number("radius", length_range)) {
-    shape = Sphere{*radius};
-  }
-  section.finish();
-  return shape;
-}
 
 void read_kinematics(Section& section) {
   if (!section.has("kinematics")) return;
@@ -43,23 +19,34 @@ void read_kinematics(Section& section) {
 
 }  // namespace
 
+std::optional<bool> touch(const std::vector<BodyDraft>& bodies) {
+  const auto count = [&](bool touches) {
+    return std::count_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.touches == touches; });
+  };
+  if (count(true) > 0) return true;
+  if (bodies.empty() || count(false) < std::ssize(bodies)) return std::nullopt;
+  return false;
+}
+
 BodyDraft read_body(Section section, const HistoryContext& context) {
   BodyDraft body;
   body.name = section.name("name");
-  if (auto shape = section.section("shape")) body.shape = read_shape(*shape);
+  if (auto shape = section.section("shape")) body.shape = read_body_shape(*shape);
   if (auto material = section.section("material")) body.material = read_material(*material);
   if (auto damping = section.section("damping", true)) body.damping = read_damping(*damping);
-  if (auto resolution = section.section("resolution")) body.resolution = read_resolution(*resolution, body.shape);
+  if (auto resolution = section.section("resolution")) body.resolution = read_mesh(*resolution, body);
   body.supports = read_supports(section, body.shape, context);
   read_kinematics(section);
-  for (const char* key : {"pose", "velocity", "angular_velocity"}) section.not_yet(key);
+  body.pose = read_pose(section, "pose");
+  body.twist = read_twist(section);
   section.finish();
   return body;
 }
 
 Body completed(const BodyDraft& draft) {
-  return {draft.name.value(),   draft.shape.value(),      draft.material.value(), draft.damping.rayleigh,
-          draft.damping.ratios, draft.resolution.value(), draft.supports.supports};
+  return {draft.name.value(),      draft.shape.value(),  draft.material.value(),
+          draft.damping.rayleigh,  draft.damping.ratios, draft.resolution.value(),
+          draft.supports.supports, draft.pose.value(),   draft.twist.value()};
 }
 
 }  // namespace mb

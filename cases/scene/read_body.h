@@ -1,7 +1,8 @@
-// [[body]]: shape, material, damping, resolution and supports.
+// [[body]]: shape, material, damping, resolution, supports, and how it starts.
 #pragma once
 
 #include "cases/scene/read_material.h"
+#include "cases/scene/read_pose.h"
 #include "cases/scene/read_support.h"
 #include "cases/scene/scene.h"
 
@@ -15,7 +16,13 @@ struct BodyDraft {
   std::optional<Resolution> resolution;
   DampingDraft damping;
   SupportDrafts supports;
+  std::optional<Pose> pose = Pose{};
+  std::optional<Twist> twist = Twist{};
+  std::optional<bool> touches = std::nullopt;  // whether a contact names it; nothing: not known
 };
+
+// Whether a contact names any of them; nothing: not known, nor for no bodies.
+std::optional<bool> touch(const std::vector<BodyDraft>& bodies);
 
 BodyDraft read_body(Section section, const HistoryContext& context);
 

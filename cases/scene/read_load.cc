@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/scene/names.h"
 #include "cases/scene/read_direction.h"
 #include "cases/scene/read_patch.h"
 
@@ -15,14 +16,7 @@ namespace {
 const Range traction_range{-1e13, 1e13, "Pa"};
 
 const BodyDraft* read_body_reference(Section& section, const std::vector<BodyDraft>& bodies) {
-  Words words{{}, "body", "bodies"};
-  bool all_named = true;
-  for (const BodyDraft& body : bodies) {
-    if (body.name) words.known.push_back(*body.name);
-    all_named = all_named && body.name;
-  }
-  if (!all_named && section.has("body")) return nullptr;  // it may be the one whose name is wrong
-  const auto name = section.choice("body", words);
+  const auto name = read_reference(section, "body", names_of(bodies), "body", "bodies");
   for (const BodyDraft& body : bodies) {
     if (name && body.name == name) return &body;
   }

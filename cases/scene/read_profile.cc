@@ -1,6 +1,6 @@
 #include "cases/scene/read_profile.h"
 
-#include "cases/scene/resolution.h"
+#include "cases/scene/read_mesh.h"
 
 namespace mb {
 
@@ -26,7 +26,7 @@ std::vector<BodyDraft> bodies_in(std::optional<Section>& profile, std::vector<Bo
   for (BodyDraft& body : bodies) {
     all_named = all_named && body.name;
     const auto mesh = body.name ? meshes->section(*body.name, true) : std::nullopt;
-    if (mesh) body.resolution = read_resolution(*mesh, body.shape);
+    if (mesh) body.resolution = read_mesh(*mesh, body);
   }
   meshes->finish(all_named);
   return bodies;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/scene/read_mesh.h"
 #include "cases/scene/resolution.h"
 
 namespace mb {
@@ -30,7 +31,7 @@ void check_meshes(const Rival& rival, const std::vector<Located<std::vector<int>
   const int degree = rival.degrees.empty() ? 1 : rival.degrees.back();
   for (const BodyDraft& body : bodies) {
     if (!body.shape) continue;
-    for (const auto& entry : cells) check_mesh(*body.shape, {degree, entry.value}, entry.where, findings);
+    for (const auto& entry : cells) check_mesh(*body.shape, {degree, entry.value, rival.graded}, entry.where, findings);
   }
 }
 
@@ -65,6 +66,14 @@ Accuracy read_accuracy(Section& section, const std::string& integrator, const Ru
   return accuracy;
 }
 
+int read_graded(Section& section, const std::vector<BodyDraft>& bodies) {
+  const int graded = section.integer("graded", graded_range, 0);
+  if (graded > 0 && touch(bodies) == false) {
+    section.error("graded", "'graded' is of no use: no [[contact]] names a body");
+  }
+  return graded;
+}
+
 Rival read_rival(Section section, const RunContext& context) {
   Rival rival;
   rival.integrator = read_integrator(section, context.vocabulary);
@@ -73,6 +82,7 @@ Rival read_rival(Section section, const RunContext& context) {
   rival.degrees = values_of(degrees);
   const auto cells = section.integer_lists("cells", any_cells_range, {1, 64}, {1, 3});
   rival.cells = values_of(cells);
+  rival.graded = read_graded(section, context.bodies);
   if (cells) check_meshes(rival, *cells, context.bodies, section.findings());
   Accuracy accuracy = read_accuracy(section, rival.integrator, context);
   rival.time_steps = std::move(accuracy.time_steps);

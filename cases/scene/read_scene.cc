@@ -7,6 +7,8 @@
 
 #include "cases/scene/check_text.h"
 #include "cases/scene/closed_form.h"
+#include "cases/scene/contact_rules.h"
+#include "cases/scene/names.h"
 #include "cases/scene/read_load.h"
 #include "cases/scene/read_profile.h"
 #include "cases/scene/read_study.h"
@@ -43,17 +45,6 @@ void read_prose(Section& root, Scene& scene) {
   }
 }
 
-class Names {  // of one kind, each once
- public:
-  void add(Section& section, const std::string& name, const std::string& kind) {
-    if (name.empty() || names_.insert(name).second) return;
-    section.error("name", fmt::format("there is another {} named '{}'", kind, name));
-  }
-
- private:
-  std::set<std::string> names_;
-};
-
 void check_crossings(Section& section, const BodyDraft& body, const Times& times) {
   if (!body.shape || !body.material) return;
   const double crossings = times.longest() * shear_wave_speed(*body.material) / extent(*body.shape);
@@ -77,10 +68,10 @@ void check_ratios(const BodyDraft& body, Findings& findings) {
 
 std::vector<BodyDraft> read_bodies(Section& root, const Times& times, const HistoryContext& history) {
   std::vector<BodyDraft> bodies;
-  Names names;
+  Names names("body");
   for (Section& section : root.sections("body", {1, 64})) {
     bodies.push_back(read_body(section, history));
-    names.add(section, bodies.back().name.value_or(""), "body");
+    names.add(section, bodies.back().name);
     check_crossings(section, bodies.back(), times);
     if (bodies.size() == 2) {
       section.findings().error(section.where(), "more than one body is understood, but cannot be simulated yet");
@@ -89,29 +80,33 @@ std::vector<BodyDraft> read_bodies(Section& root, const Times& times, const Hist
   return bodies;
 }
 
-void read_loads(Section& root, const std::vector<BodyDraft>& bodies, const HistoryContext& context, Scene& scene) {
-  Names names;
-  auto sections = root.sections("load", {0, 64});
+// What moves a scene with contact is another matter (contact_rules.h).
+void require_load(Section& root, const std::vector<BodyDraft>& bodies, const ContactDrafts& contacts) {
+  if (contacts.any) return;
   const bool driven = std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.supports.driven; });
   if (!root.has("load") && !driven) {
     root.missing("load", "1 to 64 tables [[load]], or a driven support of a body: nothing would move");
   } else if (root.is_empty_array("load") && !driven) {
     root.error("load", "'load' in the case is empty, and no support of a body is driven: nothing would move");
   }
-  for (Section& section : sections) {
+}
+
+void read_loads(Section& root, const std::vector<BodyDraft>& bodies, const HistoryContext& context, Scene& scene) {
+  Names names("load");
+  for (Section& section : root.sections("load", {0, 64})) {
     auto load = read_load(section, bodies, context);
     if (!load) continue;
-    names.add(section, load->name, "load");
+    names.add(section, load->name);
     scene.loads.push_back(std::move(*load));
   }
 }
 
 void read_probes(Section& root, const std::vector<BodyDraft>& bodies, Scene& scene) {
-  Names names;
+  Names names("probe");
   for (Section& section : root.sections("probe", {0, 64})) {
     auto probe = read_probe(section, bodies);
     if (!probe) continue;
-    names.add(section, probe->name, "probe");
+    names.add(section, probe->name);
     scene.probes.push_back(std::move(*probe));
   }
 }
@@ -144,6 +139,21 @@ TruthDraft read_truth_of(Section& root, std::optional<Section>& profile, const s
   return section ? read_truth(*section, profile, bodies) : TruthDraft{std::nullopt, true, {}};
 }
 
+// The bodies, without a profile's meshes, and what they meet.
+std::vector<BodyDraft> read_mechanics(Section& root, const Times& times, const HistoryContext& history, Scene& scene) {
+  const auto gravity = root.vector_or_zero("gravity", {-1e4, 1e4, "m/s^2"});
+  std::vector<BodyDraft> bodies = read_bodies(root, times, history);
+  const ContactDrafts contacts = read_contacts(root, bodies);
+  bodies = with_touches(std::move(bodies), contacts);
+  require_load(root, bodies, contacts);
+  read_loads(root, bodies, history, scene);
+  check_contact_rules(root, bodies, contacts, gravity);
+  scene.gravity = gravity.value_or(Vector3d::Zero());
+  scene.obstacles = contacts.obstacles;
+  scene.contacts = contacts.pairs;
+  return bodies;
+}
+
 // As much of the scene as can be read; complete where nothing was recorded.
 Scene read_parts(Section root, const Context& context, const std::string& name) {
   Scene scene{};
@@ -152,9 +162,8 @@ Scene read_parts(Section root, const Context& context, const std::string& name) 
   const Times times = read_times(root);
   auto profile = read_profile(root, name);
   const HistoryContext history{context.folder, times.longest()};
-  const std::vector<BodyDraft> bodies = bodies_in(profile, read_bodies(root, times, history));
+  const std::vector<BodyDraft> bodies = bodies_in(profile, read_mechanics(root, times, history, scene));
   for (const BodyDraft& body : bodies) check_ratios(body, root.findings());
-  read_loads(root, bodies, history, scene);
   read_probes(root, bodies, scene);
   const TruthDraft truth = read_truth_of(root, profile, bodies);
   std::optional<Study> study;
@@ -166,7 +175,6 @@ Scene read_parts(Section root, const Context& context, const std::string& name) 
   }
   const std::string runs = profile && profile->has("modes") ? fmt::format("profile {}", name) : "the study";
   read_checks(root, {study, runs, truth.has_exact}, context.vocabulary, scene);
-  for (const char* key : {"gravity", "contact"}) root.not_yet(key);
   if (profile) profile->finish();
   root.finish();
   if (!root.findings().empty()) return scene;

@@ -54,6 +54,22 @@ std::vector<int> effective_modes(Section& section, std::optional<Section>& profi
   return values_of(modes);
 }
 
+// Likewise the steps while bodies touch. contact: whether there is any; nothing: not known.
+std::vector<double> effective_contact_steps(Section& section, std::optional<Section>& profile, bool required,
+                                            const std::optional<bool>& contact) {
+  const char* const key = "contact_steps";
+  const auto read = [&](Section& table) -> std::optional<std::vector<double>> {
+    if (contact != false) return table.numbers(key, {0, 1, "s", true}, {1, 64});
+    table.findings().error(table.where_key(key),
+                           fmt::format("'{}' in {}: only scenes with contact take it", key, table.title()));
+    return std::nullopt;
+  };
+  const bool stated = section.has(key);
+  auto steps = required || stated ? read(section) : std::nullopt;
+  if (profile && profile->has(key)) steps = read(*profile);
+  return steps.value_or(std::vector<double>{});
+}
+
 std::vector<std::string> read_analyses(Section& section, const Vocabulary& vocabulary) {
   if (!section.has("analyses")) return {};
   return values_of(read_unlike(section, "analyses", {vocabulary.analyses, "analysis", "analyses"}));
@@ -80,6 +96,7 @@ Study read_study(Section section, std::optional<Section>& profile, const std::ve
   }
   study.methods = values_of(methods);
   study.modes = effective_modes(section, profile, methods && take_modes(*methods, vocabulary), bodies);
+  study.contact_steps = effective_contact_steps(section, profile, methods && touch(bodies) == true, touch(bodies));
   study.analyses = read_analyses(section, vocabulary);
   study.load_tolerance = section.number("load_tolerance", {1e-9, 0.1}, study.load_tolerance);
   const RunContext shared{bodies, vocabulary, times.shortest};

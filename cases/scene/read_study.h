@@ -7,7 +7,8 @@
 
 namespace mb {
 
-// The profile may give other mode counts, rivals and steppings. shortest [s]: of all profiles, duration [s]: of this.
+// The profile may give other mode counts, contact steps, rivals and steppings. shortest [s]: of all profiles, duration
+// [s]: of this.
 Study read_study(Section section, std::optional<Section>& profile, const std::vector<BodyDraft>& bodies,
                  const Vocabulary& vocabulary, const StudyTimes& times);
 

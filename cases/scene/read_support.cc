@@ -99,6 +99,7 @@ SupportDrafts read_supports(Section& body, const std::optional<Shape>& shape, co
   for (Section& section : body.sections("support", {0, 64})) {
     const auto kind = read_kind(section);
     drafts.driven = drafts.driven || !kind || kind == Kind::driven;
+    if (kind == Kind::driven) drafts.driven_at.push_back(section.where("kind"));
     auto support = read_support(section, kind, shape, context);
     if (!support) continue;
     if (std::any_of(supports.begin(), supports.end(),

@@ -7,8 +7,9 @@
 namespace mb {
 
 struct SupportDrafts {
-  std::vector<Support> supports;  // those without a problem
-  bool driven = false;            // whether one of any kind may be driven, right or wrong
+  std::vector<Support> supports;   // those without a problem
+  bool driven = false;             // whether one of any kind may be driven, right or wrong
+  std::vector<Position> driven_at; /* of those that are driven, right or wrong: where they say so */
 };
 
 // context: of a load's history; the histories of driven supports are accelerations.

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cases/scene/closed_form.h"
-#include "cases/scene/resolution.h"
+#include "cases/scene/read_mesh.h"
 
 namespace mb {
 
@@ -17,12 +17,11 @@ struct Mesh {
 };
 
 // The mesh in `key` of [truth], or that of the profile in its place.
-Mesh read_mesh(Section& truth, std::optional<Section>& profile, const std::string& key,
-               const std::optional<Shape>& shape) {
+Mesh read_mesh(Section& truth, std::optional<Section>& profile, const std::string& key, const BodyDraft& body) {
   const auto base = truth.section(key);
-  Mesh mesh{base ? read_resolution(*base, shape) : std::nullopt, truth.where(key)};
+  Mesh mesh{base ? read_mesh(*base, body) : std::nullopt, truth.where(key)};
   const auto other = profile ? profile->section(key, true) : std::nullopt;
-  return other ? Mesh{read_resolution(*other, shape), profile->where(key)} : mesh;
+  return other ? Mesh{read_mesh(*other, body), profile->where(key)} : mesh;
 }
 
 // Errors stand at what the profile states, where it does.
@@ -47,8 +46,8 @@ void check_meshes(const Mesh& finer, const Mesh& coarser, std::optional<Section>
 TruthDraft read_truth(Section section, std::optional<Section>& profile, const std::vector<BodyDraft>& bodies) {
   const BodyDraft body = bodies.empty() ? BodyDraft{} : bodies.front();
   const auto tolerance = section.number("relative_tolerance", {1e-12, 1e-2});
-  const Mesh finer = read_mesh(section, profile, "finer", body.shape);
-  const Mesh coarser = read_mesh(section, profile, "coarser", body.shape);
+  const Mesh finer = read_mesh(section, profile, "finer", body);
+  const Mesh coarser = read_mesh(section, profile, "coarser", body);
   TruthDraft draft{std::nullopt, section.has("exact"), section.where("exact")};
   std::optional<std::string> exact = "";
   if (draft.has_exact) exact = section.choice("exact", {closed_form_names(), "closed form", "closed forms"});

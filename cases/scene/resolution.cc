@@ -4,19 +4,22 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "mechanics/geometry/overloaded.h"
 
 namespace mb {
 
 const char* kind_name(const Shape& shape) {
-  static constexpr const char* names[] = {"box", "cylinder", "sphere"};
+  static constexpr const char* names[] = {"box", "cylinder", "sphere", "superquadric"};
   return names[shape.index()];
 }
 
 std::size_t n_cell_entries(const Shape& shape) { return 3 - shape.index(); }
 
-double n_dofs(const Shape& shape, const Resolution& resolution) {
+namespace {
+
+double even_n_dofs(const Shape& shape, const Resolution& resolution) {
   const auto nodes = [&](std::size_t i) { return static_cast<double>(resolution.degree * resolution.cells[i]); };
   return 3 * std::visit(overloaded{[&](const Box&) { return (nodes(0) + 1) * (nodes(1) + 1) * (nodes(2) + 1); },
                                    [&](const Cylinder&) {
@@ -27,11 +30,52 @@ double n_dofs(const Shape& shape, const Resolution& resolution) {
                                    [&](const Sphere&) {
                                      const double m = nodes(0);
                                      return (m + 1) * (m + 1) * (m + 1) + m * (6 * m * m + 2);
-                                   }},
+                                   },
+                                   [](const Superquadric&) { return 0.0; }},
                         shape);
 }
 
+// An average cell before grading.
+struct Cells {
+  double n, diameter;  // [-], [m]
+};
+Cells even_cells(const Shape& shape, const std::vector<int>& cells) {
+  const auto n = [&](std::size_t i) { return static_cast<double>(cells[i]); };
+  return std::visit(
+      overloaded{[&](const Box& box) -> Cells {
+                   return {n(0) * n(1) * n(2), box.size.cwiseQuotient(Vector3d(n(0), n(1), n(2))).norm()};
+                 },
+                 [&](const Cylinder& cylinder) -> Cells {
+                   const double disc = n(0) == 0 ? 1 : 5 * n(0) * n(0);
+                   return {disc * n(1), std::hypot(std::sqrt(2 * pi / disc) * cylinder.radius, cylinder.length / n(1))};
+                 },
+                 [&](const Sphere& sphere) -> Cells {
+                   const double all = 7 * n(0) * n(0) * n(0);
+                   return {all, std::sqrt(3.0) * std::cbrt(volume(sphere) / all)};
+                 },
+                 [](const Superquadric&) -> Cells {
+                   return {0, 0};
+                 }},
+      shape);
+}
+
+}  // namespace
+
+double n_dofs(const Shape& shape, const Resolution& resolution) {
+  const double even = even_n_dofs(shape, resolution);
+  if (resolution.graded == 0 || even == 0) return even;
+  const auto [n, diameter] = even_cells(shape, resolution.cells);
+  const double halved = 1.5 * 2.0 / 3 * pi * std::pow(grading_reach * diameter, 3) / (volume(shape) / n);
+  double all = n;
+  for (int i = 0; i < resolution.graded; ++i) all += 7 * std::min(all, halved);
+  return even + 3 * std::pow(resolution.degree, 3) * (all - n);
+}
+
 bool check_mesh(const Shape& shape, const Resolution& resolution, const Position& where, Findings& findings) {
+  if (std::holds_alternative<Superquadric>(shape)) {
+    findings.error(where, "a superquadric has no mesh");
+    return false;
+  }
   const std::size_t n = n_cell_entries(shape);
   if (resolution.cells.size() != n) {
     const char* const means[] = {"along x, y, z", "edge splits of the disc (0: one block), layers along z",

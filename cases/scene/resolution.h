@@ -1,7 +1,13 @@
 // The size of a mesh before it is made. With m = degree * splits, a layer of the cylinder's disc (one square, four
 // blocks around it) has (m + 1)^2 + 4 m^2 nodes; the ball (one cube, six blocks around it) has
 // (m + 1)^3 + m (6 m^2 + 2), shells of the cube's surface nodes. A cylinder of 0 splits is one block across: (p + 1)^2
-// nodes a layer, p the degree.
+// nodes a layer, p the degree. Each grading about one point of a plane surface halves the cells whose centres lie in
+// half a ball of 1.1 of their diameters d,
+//
+//   2/3 pi (1.1 d)^3 / (volume of a cell),   for cubes 14.5,
+//
+// of which n_dofs counts half as much again, for obtuse corners and balance, p^3 nodes for each new cell: an upper
+// bound for one touch, without hanging nodes.
 #pragma once
 
 #include "cases/scene/scene.h"
@@ -9,11 +15,12 @@
 
 namespace mb {
 
-double n_dofs(const Shape& shape, const Resolution& resolution);  // before supports
-std::size_t n_cell_entries(const Shape& shape);                   // 3, 2, 1 for box, cylinder, sphere
-const char* kind_name(const Shape& shape);                        // "box", "cylinder", "sphere"
+double n_dofs(const Shape& shape, const Resolution& resolution);  // before supports; 0 without a mesh
+std::size_t n_cell_entries(const Shape& shape);                   // 3, 2, 1 for box, cylinder, sphere; 0: no mesh
+const char* kind_name(const Shape& shape);                        // "box", "cylinder", "sphere", "superquadric"
 
-inline constexpr double most_dofs = 2e6;  // [-] assembled K and M of more do not fit one machine
+inline constexpr double most_dofs = 2e6;      // [-] assembled K and M of more do not fit one machine
+inline constexpr double grading_reach = 1.1;  // [-] diameters of a cell: nearer to a touch it is halved
 
 inline const Range degree_range{1, 4};
 inline const Range cells_range{1, 1024};

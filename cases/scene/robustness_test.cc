@@ -32,16 +32,17 @@ TEST(CaseFileBytes, every_prefix_reads_or_reports) {
 }
 
 TEST(CaseFileBytes, flipped_bytes_read_or_report) {
-  const std::string text = test::cylinder_text();
-  std::mt19937 random(seed);
-  int n_read = 0;
-  for (int i = 0; i < 2000; ++i) {
-    std::string flipped = text;
-    for (int k = 0; k <= i % 4; ++k) flipped[random() % text.size()] = static_cast<char>(random() % 256);
-    n_read += reads(flipped);
+  for (const std::string& text : {test::cylinder_text(), test::contact_text()}) {
+    std::mt19937 random(seed);
+    int n_read = 0;
+    for (int i = 0; i < 2000; ++i) {
+      std::string flipped = text;
+      for (int k = 0; k <= i % 4; ++k) flipped[random() % text.size()] = static_cast<char>(random() % 256);
+      n_read += reads(flipped);
+    }
+    EXPECT_GT(n_read, 0);     // a digit of a comment
+    EXPECT_LT(n_read, 1500);  // far from all
   }
-  EXPECT_GT(n_read, 0);     // a digit of a comment
-  EXPECT_LT(n_read, 1500);  // far from all
 }
 
 TEST(CaseFileBytes, shuffled_lines_read_or_report) {

@@ -20,10 +20,13 @@ VectorXd times_at(double rate, double duration) {
 
 }  // namespace
 
-bool operator==(const Resolution& a, const Resolution& b) { return a.degree == b.degree && a.cells == b.cells; }
+bool operator==(const Resolution& a, const Resolution& b) {
+  return a.degree == b.degree && a.cells == b.cells && a.graded == b.graded;
+}
 
 std::string to_string(const Resolution& resolution) {
-  return fmt::format("Q{} {}", resolution.degree, fmt::join(resolution.cells, "x"));
+  const std::string even = fmt::format("Q{} {}", resolution.degree, fmt::join(resolution.cells, "x"));
+  return resolution.graded == 0 ? even : fmt::format("{} graded {}", even, resolution.graded);
 }
 
 VectorXd frame_times(const Scene& scene) { return times_at(scene.frame_rate, scene.duration); }

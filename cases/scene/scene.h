@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/contact/rigid_surface.h"
 #include "mechanics/geometry/patch.h"
+#include "mechanics/geometry/pose.h"
 #include "mechanics/geometry/shape.h"
 #include "mechanics/history/history.h"
 #include "mechanics/material/damping.h"
@@ -19,9 +21,12 @@ namespace mb {
 // Hexahedra of degree 1 to 4. cells: box {along x, along y, along z}; cylinder {edge splits of the five blocks of the
 // disc (a power of two), layers along z}: 5 splits^2 layers cells, or {0, layers}: the disc is one block; sphere {edge
 // splits of its seven blocks (a power of two)}.
+// graded: so many times every cell near the first touch of each contact is halved in all directions, cells nearer
+// more often (reference/fem/grading.h).
 struct Resolution {
   int degree;              // in [1, 4]
   std::vector<int> cells;  // each in [1, 1024]; splits of a cylinder also 0
+  int graded = 0;          // in [0, 12]; only in scenes with contact
 };
 bool operator==(const Resolution&, const Resolution&);
 std::string to_string(const Resolution& resolution);  // "Q4 1x4"
@@ -49,6 +54,23 @@ struct Body {
   std::vector<double> damping_ratios;  // [-] in [0, 10]: of the first elastic modes, in the place of Rayleigh's
   Resolution resolution;               // the mesh of the `same_mesh` truth and of the modal contenders
   std::vector<Support> supports;
+  Pose pose = {};   // at t = 0, of the frame in which the shape is centred
+  Twist twist = {}; /* at t = 0 */
+};
+
+// A rigid thing that stands still.
+struct Obstacle {
+  std::string name;
+  RigidSurface surface;
+};
+
+// What happens where a body meets an obstacle: points of the body's surface feel the law (mechanics/contact/law.h).
+struct ContactPair {
+  std::string body, obstacle;
+  double stiffness;       // k_n [Pa/m]; 0: auto, from body and contact size (mechanics/contact/stiffness.h)
+  double damping = 0;     // d [s/m]
+  double friction = 0;    // mu [-]; 0: frictionless
+  double slip_speed = 0;  // v_eps [m/s] of friction
 };
 
 struct Traction {
@@ -76,6 +98,7 @@ struct Rival {
   std::vector<std::vector<int>> cells;
   std::vector<double> time_steps;           // [s]; one of the two is empty
   std::vector<double> relative_tolerances;  // [-]
+  int graded = 0;                           // of all its meshes, as that of a resolution
 };
 // Reduced contenders that step with another integrator than the closed form: every method x mode count x time step or
 // tolerance.
@@ -89,6 +112,8 @@ struct Stepping {
 struct Study {
   std::vector<std::string> methods;  // reduced methods in closed form, each at every mode count if it takes one
   std::vector<int> modes;            // elastic modes r >= 0; rigid modes always stay
+  // [s] steps while bodies touch, of methods in closed form; only in scenes with contact
+  std::vector<double> contact_steps;
   std::vector<Stepping> steppings;
   std::vector<Rival> rivals;
   std::vector<std::string> analyses;  // what else is found out: names of the catalogue of analyses
@@ -123,6 +148,9 @@ struct Scene {
   std::vector<std::string> runs_in{"quick", "standard", "full"};  // profiles in which it runs where none is named
   std::vector<Body> bodies;
   std::vector<Load> loads;
+  Vector3d gravity = Vector3d::Zero();  // [m/s^2]
+  std::vector<Obstacle> obstacles;
+  std::vector<ContactPair> contacts;
   std::vector<Probe> probes;
   double duration;            // [s] of the profile asked for
   double frame_rate;          // [1/s] frames: aliasing, motion and timed runs

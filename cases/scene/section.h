@@ -48,12 +48,15 @@ class Section {
   // Required keys: nothing where missing or wrong. With a fallback: optional keys, the fallback where absent or wrong.
   std::optional<double> number(const std::string& key, const Range& range);
   double number(const std::string& key, const Range& range, double fallback);
-  std::optional<int> integer(const std::string& key, const Range& range);        // the range lies within that of int
+  std::optional<double> number_or(const std::string& word, double meant, const std::string& key, const Range& range);
+  std::optional<int> integer(const std::string& key, const Range& range);  // the range lies within that of int
+  int integer(const std::string& key, const Range& range, int fallback);
   std::optional<std::string> text(const std::string& key, std::size_t longest);  // not blank
   std::string text(const std::string& key, std::size_t longest, const std::string& fallback);
   std::optional<std::string> name(const std::string& key);  // [a-z0-9-]{1,64}
   std::optional<std::string> choice(const std::string& key, const Words& words);
   std::optional<Vector3d> vector(const std::string& key, const Range& range);
+  std::optional<Vector3d> vector_or_zero(const std::string& key, const Range& range);  // optional: zero where absent
   std::optional<std::vector<double>> numbers(const std::string& key, const Range& range, const Count& count);
   std::optional<std::vector<Located<int>>> integers(const std::string& key, const Range& range, const Count& count);
   std::optional<std::vector<Located<std::vector<int>>>> integer_lists(const std::string& key, const Range& range,
@@ -89,6 +92,8 @@ class Section {
   };  // label: "'modes'", "entry 2 of 'modes'"
 
   const TomlEntry* entry(const std::string& key) const;
+  std::optional<std::vector<double>> as_numbers(const std::string& key, const Item& array, const Range& range,
+                                                const Count& count);
   // what: what the key takes, for the list of all keys asked for (Findings::asked). The key is known from now on.
   std::optional<Item> find(const std::string& key, const std::string& what);
   std::optional<Item> required(const std::string& key, const std::string& what);

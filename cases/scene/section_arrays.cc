@@ -25,9 +25,9 @@ std::optional<std::vector<Located<T>>> each(const Items& items, Read read) {
 
 }  // namespace
 
-std::optional<std::vector<double>> Section::numbers(const std::string& key, const Range& range, const Count& count) {
-  const auto item = required(key, an_array(count, "numbers in " + to_string(range)));
-  const auto found = item ? items(key, *item, count, "numbers") : std::nullopt;
+std::optional<std::vector<double>> Section::as_numbers(const std::string& key, const Item& array, const Range& range,
+                                                       const Count& count) {
+  const auto found = items(key, array, count, "numbers");
   if (!found) return std::nullopt;
   std::vector<double> out;
   for (const Item& entry : *found) {
@@ -36,8 +36,20 @@ std::optional<std::vector<double>> Section::numbers(const std::string& key, cons
   return out.size() == found->size() ? std::optional(std::move(out)) : std::nullopt;
 }
 
+std::optional<std::vector<double>> Section::numbers(const std::string& key, const Range& range, const Count& count) {
+  const auto item = required(key, an_array(count, "numbers in " + to_string(range)));
+  return item ? as_numbers(key, *item, range, count) : std::nullopt;
+}
+
 std::optional<Vector3d> Section::vector(const std::string& key, const Range& range) {
   const auto xyz = numbers(key, range, {3, 3});
+  return xyz ? std::optional(Vector3d((*xyz)[0], (*xyz)[1], (*xyz)[2])) : std::nullopt;
+}
+
+std::optional<Vector3d> Section::vector_or_zero(const std::string& key, const Range& range) {
+  const auto item = find(key, an_array({3, 3}, "numbers in " + to_string(range)));
+  if (!item) return Vector3d::Zero();
+  const auto xyz = as_numbers(key, *item, range, {3, 3});
   return xyz ? std::optional(Vector3d((*xyz)[0], (*xyz)[1], (*xyz)[2])) : std::nullopt;
 }
 

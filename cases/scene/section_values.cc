@@ -116,9 +116,33 @@ double Section::number(const std::string& key, const Range& range, double fallba
   return item ? as_number(*item, range).value_or(fallback) : fallback;
 }
 
+// The word stands for the value that it means: "auto" for 0.
+std::optional<double> Section::number_or(const std::string& word, double meant, const std::string& key,
+                                         const Range& range) {
+  const std::string what = fmt::format("\"{}\" or a number", word);
+  const auto item = required(key, fmt::format("{} in {}", what, to_string(range)));
+  if (!item) return std::nullopt;
+  if (const auto* text = std::get_if<std::string>(&item->value->value)) {
+    if (*text == word) return meant;
+    findings_->error(item->value->where, fmt::format("{} is '{}': must be {}", item->label, printable(*text), what),
+                     nearest(*text, {word}) ? fmt::format("did you mean '{}'?", word) : "");
+    return std::nullopt;
+  }
+  if (std::holds_alternative<std::int64_t>(item->value->value) || std::holds_alternative<double>(item->value->value)) {
+    return as_number(*item, range);
+  }
+  wrong_type(*item, what);
+  return std::nullopt;
+}
+
 std::optional<int> Section::integer(const std::string& key, const Range& range) {
   const auto item = required(key, "an integer in " + to_string(range));
   return item ? as_integer(*item, range) : std::nullopt;
+}
+
+int Section::integer(const std::string& key, const Range& range, int fallback) {
+  const auto item = find(key, "an integer in " + to_string(range));
+  return item ? as_integer(*item, range).value_or(fallback) : fallback;
 }
 
 std::optional<std::string> Section::text(const std::string& key, std::size_t longest) {

@@ -15,6 +15,7 @@ bool is_table_list(const KeyDoc& key) { return key.type.ends_with(" tables"); }
 Json value_schema(const KeyDoc& key) {
   if (is_table(key)) return object();
   if (is_table_list(key)) return {{"type", "array"}, {"items", object()}};
+  if (key.type == "\"auto\" or a number") return {{"anyOf", {{{"const", "auto"}}, {{"type", "number"}}}}};
   if (key.type == "a number") return {{"type", "number"}};
   if (key.type == "an integer" || key.type == "the number 1") return {{"type", "integer"}};
   if (key.type.starts_with("an array") || key.type == "integers") return {{"type", "array"}};

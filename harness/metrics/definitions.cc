@@ -20,6 +20,9 @@ const std::map<std::string, Origin>& origins() {
   static const std::string u = "; u: displacement, of a free body in the answer's own best rigid frame";
   static const std::string weights = "; *: the truth; tau, w: weights of times (trapezoidal rule) and points";
   static const std::string signal = "; s: of the answer, s*: of the truth; tau: weights of times (trapezoidal rule)";
+  static const std::string touch = "mechanics/contact/touches.h";
+  static const std::string first =
+      "; of the first touch, from t_0 to t_1, separations shorter than a tenth of it included; *: the truth";
   static const std::map<std::string, Origin> all = {
       {"displacement-error",
        {"sqrt(sum_t tau sum_i w_i rho |u_i - u*_i|^2 / sum_t tau sum_i w_i rho |u*_i|^2)" + u + weights,
@@ -51,6 +54,21 @@ const std::map<std::string, Origin>& origins() {
         "U: spectrum of the truth's u" +
             u + "; w: weights of points",
         "window: Harris 1978, Proc. IEEE 66(1); harness/metrics/spectrum.h"}},
+      {"first-touch", {"|t_0 - t_0*|, t_0 the time at which surfaces first meet; *: the truth", touch}},
+      {"contact-duration", {"|T - T*| / T*, T = t_1 - t_0" + first, touch}},
+      {"peak-force", {"|F - F*| / F*, F = max_t |f(t)|, f: all contact forces on the body" + first, touch}},
+      {"impulse", {"|J - J*| / |J*|, J = int f dt by the integrator's own quadrature" + first, touch}},
+      {"restitution",
+       {"|e - e*|, e = -(v + J/m + g (t_1 - t_0)) . j / (v . j), j = J/|J|, v: velocity of the centroid at t_0" + first,
+        "Stronge 2000, Impact Mechanics, sect. 2.5"}},
+      {"force-error", {"sqrt(sum_t tau |f - f*|^2 / sum_t tau |f*|^2)" + signal, l2}},
+      {"energy-gain",
+       {"max_t (E(t) + D(t) - E(0)) / max(m v^2 / 2, max_t S(t)), E: kinetic, elastic, of the weight and stored in "
+        "contacts; D: lost in contacts; S: stored there; v: at the first touch",
+        "conservation of energy"}},
+      {"momentum-defect",
+       {"|c(T) - c(0) - v T - g T^2/2 - int J dt / m| / |int J dt / m|, c: centroid, v: at the start, T: duration",
+        "conservation of momentum"}},
   };
   return all;
 }

@@ -32,6 +32,8 @@ struct Metric {
   // What an error of one part of the truth's largest displacement (of stress: largest stress) may come to in this
   // metric, in its unit; none: 1, since the metric is relative to the whole truth itself.
   double (*size)(const Trajectory& truth, const MetricContext& context) = nullptr;
+  bool contact_only = false;     // for scenes with contact alone
+  bool of_answer_alone = false;  // the truth is not looked at, nor has it a bar
 };
 
 // The visible list. Values are >= 0 but for probe-magnitude, which is signed.

@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "harness/metrics/contact_metrics.h"
 #include "harness/metrics/metric.h"
 #include "harness/metrics/motion.h"
 #include "harness/metrics/signal.h"
@@ -210,7 +211,11 @@ std::vector<Metric> catalogue() {
 }  // namespace
 
 const std::vector<Metric>& metric_catalogue() {
-  static const std::vector<Metric> all = catalogue();
+  static const std::vector<Metric> all = [] {
+    std::vector<Metric> both = catalogue();
+    std::ranges::copy(contact_metrics(), std::back_inserter(both));
+    return both;
+  }();
   return all;
 }
 

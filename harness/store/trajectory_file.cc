@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "harness/store/contact_content.h"
 #include "harness/store/hash.h"
 #include "harness/store/hdf5.h"
 #include "harness/store/low_rank.h"
@@ -60,13 +61,14 @@ Hdf5Content content_of(const Trajectory& trajectory) {
   content.texts = {{"format", format}, {"layout", layout}, {"status", to_string(trajectory.status)}};
   content.matrices["t"] = {trajectory.t, "s"};
   for (std::size_t k = 0; k < trajectory.bodies.size(); ++k) {
-    const auto& [displacement, strain] = trajectory.bodies[k];
+    const MatrixXd &displacement = trajectory.bodies[k].displacement, &strain = trajectory.bodies[k].strain;
     if (displacement.cols() != n_t || displacement.rows() % 3 != 0 || strain.rows() % 6 != 0 ||
         (strain.cols() != n_t && strain.cols() != 0)) {
       throw std::invalid_argument("trajectory: sizes of displacement and strain do not agree with its times");
     }
     content.matrices.merge(as_stored(body_key(static_cast<long>(k), "displacement"), displacement, "m"));
     if (strain.size() > 0) content.matrices.merge(as_stored(body_key(static_cast<long>(k), "strain"), strain, "-"));
+    content.matrices.merge(contact_content("body" + std::to_string(k), trajectory.bodies[k], n_t));
   }
   content.texts["checksum"] = checksum(content);
   return content;
@@ -134,6 +136,7 @@ Trajectory trajectory_of(const Hdf5Content& content) {
                                                                                   : body_key(k, "displacement_shapes"));
     trajectory.bodies.push_back({values_of(content.matrices, body_key(k, "displacement"), t.rows(), 3),
                                  values_of(content.matrices, body_key(k, "strain"), t.rows(), 6)});
+    read_contact(content.matrices, "body" + std::to_string(k), t.rows(), trajectory.bodies.back());
     room -= trajectory.bodies.back().displacement.size() + trajectory.bodies.back().strain.size();
     if (room < 0) throw std::runtime_error("holds more than 512 MiB of values");
   }

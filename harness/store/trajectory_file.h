@@ -2,6 +2,7 @@
 //
 //   t[n_t] [s];  per body k  displacement[n_t, 3 p] [m]  and  strain[n_t, 6 p_volume] [-],  each either plain
 //   (bodyK_displacement) or as amplitudes[n_t, rank] x shapes[rank, values], cut at 1e-12 of the largest singular value
+// and of bodies in contact their contact history (contact_content.h)
 //
 // Work counts and status are attributes of the root, and so is a checksum of all other content, compared on reading.
 #pragma once

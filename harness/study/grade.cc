@@ -22,7 +22,7 @@ Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free
   for (const Body& body : scene.bodies) points_.push_back(evaluation_points(scene, body));
   for (const Metric& metric : metric_catalogue())
     for (size_t b = 0; b < scene.bodies.size(); ++b) {
-      if (metric.free_only && !free[b]) continue;
+      if ((metric.free_only && !free[b]) || (metric.contact_only && scene.contacts.empty())) continue;
       const MetricContext context{scene, static_cast<Index>(b), points_[b], free[b], -1};
       if (!metric.per_probe) subjects_.push_back({metric, context, scene.bodies[b].name});
       for (size_t p = 0; metric.per_probe && p < scene.probes.size(); ++p) {
@@ -36,7 +36,8 @@ Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free
       finite_truths_[kind].push_back(is_finite(truth_.of(kind), b));
   for (size_t i = 0; i < subjects_.size(); ++i)
     for (const TruthKind kind : known_truths(truth_))
-      if (kind == TruthKind::finer || !subjects_[i].metric.of_truth_alone)
+      if (!subjects_[i].metric.of_answer_alone &&
+          (kind == TruthKind::finer || !subjects_[i].metric.of_truth_alone))
         bars_[{i, kind}] = error_bar(subjects_[i].metric, truth_, kind, subjects_[i].context);
 }
 
@@ -67,6 +68,7 @@ std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) 
     for (size_t i = 0; i < subjects_.size(); ++i) {
       const Subject& subject = subjects_[i];
       if (subject.metric.of_truth_alone) continue;
+      if (subject.metric.of_answer_alone && kind != TruthKind::finer) continue;
       const auto body = static_cast<size_t>(subject.context.body);
       const Mark mark = mb::mark(subject.metric, answer, truth_.of(kind), subject.context,
                                  {finite[body], finite_truths_.at(kind)[body]});
@@ -74,7 +76,8 @@ std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) 
       record.value = mark.value;
       record.status = mark.status;
       record.work = answer.work;
-      if (const double bar = bars_.at({i, kind}); std::isfinite(bar)) record.error_bar = bar;
+      if (const auto bar = bars_.find({i, kind}); bar != bars_.end() && std::isfinite(bar->second))
+        record.error_bar = bar->second;
       records.push_back(std::move(record));
     }
   return records;

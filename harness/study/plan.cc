@@ -36,8 +36,12 @@ std::vector<Contender> closed_form(const Scene& scene, const Catalogue& catalogu
     for (const int modes : mode_counts(catalogue.method(method), scene.study.modes)) {
       Contender contender{method, "exact", scene.bodies.front().resolution, {}};
       contender.settings.modes = modes;
-      contender.settings.load_tolerance = scene.study.load_tolerance;
-      all.push_back(contender);
+      if (scene.contacts.empty()) {
+        contender.settings.load_tolerance = scene.study.load_tolerance;
+        all.push_back(contender);
+      } else {  // the closed form is that of the flight
+        append(all, contender, scene.study.contact_steps, {});
+      }
     }
   return all;
 }
@@ -54,7 +58,8 @@ void append(std::vector<Contender>& all, const Stepping& stepping, const Scene& 
 void append(std::vector<Contender>& all, const Rival& rival) {
   for (const auto& cells : rival.cells)
     for (const int degree : rival.degrees)
-      append(all, {"full-order", rival.integrator, {degree, cells}, {}}, rival.time_steps, rival.relative_tolerances);
+      append(all, {"full-order", rival.integrator, {degree, cells, rival.graded}, {}}, rival.time_steps,
+             rival.relative_tolerances);
 }
 
 }  // namespace

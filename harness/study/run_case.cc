@@ -33,9 +33,14 @@ void name_blow_up(std::vector<Record>& marks, const Integrator& integrator) {
 Trajectory thinned(const Trajectory& all, Index n) {
   const auto kept = Eigen::seq(0, all.t.size() - 1, std::max<Index>(1, n));
   Trajectory few{all.t(kept), {}, all.work, all.status};
-  for (const BodyTrajectory& body : all.bodies)
+  for (const BodyTrajectory& body : all.bodies) {
     few.bodies.push_back(
         {body.displacement.cols() > 0 ? MatrixXd(body.displacement(Eigen::all, kept)) : MatrixXd(), {}});
+    const auto& [force, impulse, stored, dissipated, touches] = body.contact;
+    if (force.cols() == all.t.size())
+      few.bodies.back().contact = {force(Eigen::all, kept), impulse(Eigen::all, kept), stored(kept), dissipated(kept),
+                                   touches};
+  }
   return few;
 }
 

@@ -49,6 +49,7 @@ TomlFields fields_of(const Rival& rival) {
   put(fields, "cells", rival.cells);
   put(fields, "time_steps", rival.time_steps);
   put(fields, "relative_tolerances", rival.relative_tolerances);
+  if (rival.graded > 0) fields["graded"] = value(rival.graded);
   return fields;
 }
 
@@ -56,6 +57,7 @@ StudyTable study_table(const Study& study) {
   StudyTable all;
   put(all.fields, "methods", study.methods);
   put(all.fields, "modes", study.modes);
+  put(all.fields, "contact_steps", study.contact_steps);
   put(all.fields, "analyses", study.analyses);
   all.fields["load_tolerance"] = value(study.load_tolerance);
   for (const Rival& rival : study.rivals) all.rivals.push_back(fields_of(rival));

@@ -13,10 +13,10 @@ namespace mb {
 using TomlFields = std::map<std::string, TomlValue>;
 
 struct StudyTable {
-  TomlFields fields;  // methods, modes, analyses, load_tolerance
+  TomlFields fields;  // methods, modes, contact_steps, analyses, load_tolerance
   std::vector<TomlFields> rivals, steppings;
 };
-StudyTable study_table(const Study& study);  // lists that are empty are left out
+StudyTable study_table(const Study& study);  // lists that are empty are left out, and meshes not graded
 TomlFields fields_of(const Rival& rival);
 TomlTable document(const StudyTable& table);
 

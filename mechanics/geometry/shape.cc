@@ -5,20 +5,24 @@
 #include <stdexcept>
 
 #include "mechanics/geometry/overloaded.h"
+#include "mechanics/geometry/signed_distance.h"
+#include "mechanics/geometry/superquadric.h"
 
 namespace mb {
 
 double volume(const Shape& shape) {
   return std::visit(overloaded{[](const Box& b) { return b.size.prod(); },
                                [](const Cylinder& c) { return pi * c.radius * c.radius * c.length; },
-                               [](const Sphere& s) { return 4.0 / 3.0 * pi * s.radius * s.radius * s.radius; }},
+                               [](const Sphere& s) { return 4.0 / 3.0 * pi * s.radius * s.radius * s.radius; },
+                               [](const Superquadric& s) { return moment(s, 0, 0, 0); }},
                     shape);
 }
 
 double extent(const Shape& shape) {
   return std::visit(overloaded{[](const Box& b) { return b.size.maxCoeff(); },
                                [](const Cylinder& c) { return std::max(2 * c.radius, c.length); },
-                               [](const Sphere& s) { return 2 * s.radius; }},
+                               [](const Sphere& s) { return 2 * s.radius; },
+                               [](const Superquadric& s) { return 2 * s.semi_axes.maxCoeff(); }},
                     shape);
 }
 
@@ -29,7 +33,8 @@ std::vector<std::string> face_names(const Shape& shape) {
                                [](const Cylinder&) -> std::vector<std::string> {
                                  return {"side", "z-min", "z-max"};
                                },
-                               [](const Sphere&) -> std::vector<std::string> { return {"surface"}; }},
+                               [](const Sphere&) -> std::vector<std::string> { return {"surface"}; },
+                               [](const Superquadric&) -> std::vector<std::string> { return {"surface"}; }},
                     shape);
 }
 
@@ -49,11 +54,10 @@ void require_face(const Shape& shape, const std::string& face) {
     throw std::invalid_argument("unknown face '" + face + "'");
 }
 
+// Of a shape with plane faces across the axis.
 double half_length(const Shape& shape, int axis) {
-  return std::visit(
-      overloaded{[&](const Box& b) { return 0.5 * b.size[axis]; }, [](const Cylinder& c) { return 0.5 * c.length; },
-                 [](const Sphere& s) { return s.radius; }},
-      shape);
+  if (const auto* box = std::get_if<Box>(&shape)) return 0.5 * box->size[axis];
+  return 0.5 * std::get<Cylinder>(shape).length;
 }
 
 }  // namespace
@@ -72,7 +76,7 @@ Vector3d plane_normal(const Shape& shape, const std::string& face) {
 double face_distance(const Shape& shape, const std::string& face, const Vector3d& x) {
   require_face(shape, face);
   if (face == "side") return x.head<2>().norm() - std::get<Cylinder>(shape).radius;
-  if (face == "surface") return x.norm() - std::get<Sphere>(shape).radius;
+  if (face == "surface") return signed_distance_value(shape, x);
   const auto [axis, sign] = axis_face(face);
   return sign * x[axis] - half_length(shape, axis);
 }

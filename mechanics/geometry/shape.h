@@ -23,21 +23,25 @@ struct Cylinder {
 struct Sphere {
   double radius; /* [m] > 0 */
 };
-using Shape = std::variant<Box, Cylinder, Sphere>;
+struct Superquadric {
+  Vector3d semi_axes; /* [m] a1, a2, a3, each > 0 */
+  double e1, e2;      /* [-] each in [0.1, 2]: of the profiles along z, of the sections across (superquadric.h) */
+};
+using Shape = std::variant<Box, Cylinder, Sphere, Superquadric>;
 
 double volume(const Shape& shape);  // [m^3]
 double extent(const Shape& shape);  // [m] largest edge of the bounding box: the size that deviations are divided by
 
 // Names by which case files refer to parts of the boundary: box x-min x-max y-min y-max z-min z-max;
-// cylinder side z-min z-max; sphere surface.
+// cylinder side z-min z-max; sphere and superquadric surface.
 std::vector<std::string> face_names(const Shape& shape);
 
 // Outward normal of a plane face. Throws std::invalid_argument for a curved or unknown face.
 Vector3d plane_normal(const Shape& shape, const std::string& face);
 bool is_plane(const Shape& shape, const std::string& face);
 
-// Signed distance [m] of x from the surface that carries the face (plane, cylinder, sphere), positive outside.
-// Throws std::invalid_argument for an unknown face.
+// Signed distance [m] of x from the surface that carries the face (plane, cylinder, sphere, superquadric), positive
+// outside. Throws std::invalid_argument for an unknown face.
 double face_distance(const Shape& shape, const std::string& face, const Vector3d& x);
 bool contains(const Shape& shape, const Vector3d& x, double tolerance);  // tolerance [m]: x may lie that far outside
 

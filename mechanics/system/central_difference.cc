@@ -1,5 +1,7 @@
 #include "mechanics/system/central_difference.h"
 
+#include "mechanics/contact/contact_record.h"
+#include "mechanics/contact/contact_steppers.h"
 #include "mechanics/system/march.h"
 #include "mechanics/system/shifted.h"
 #include "mechanics/system/unbalanced_force.h"
@@ -25,23 +27,33 @@ System lumped_part(const UnbalancedForce& force, double alpha) {
 // with C_i the part of C that is implicit: all of it, or that of the lumped mass. Then v = (w + w+)/2.
 class CentralDifference final : public Stepper {
  public:
-  CentralDifference(const System& system, double h)
+  CentralDifference(const System& system, const std::vector<Contact>& contacts, double h)
       : system_(system),
         h_(h),
+        contact_(contacts),
+        in_contact_(!contacts.empty()),
         force_(system),
         lumped_(system.lumped_mass.rows() > 0 ? lumped_part(force_, system.damping.alpha) : System()),
         A_(system.lumped_mass.rows() > 0 ? lumped_ : system, h / 2, 0),
         first_(system.v0 + h / 2 * first_acceleration()) {}
 
   States run(const VectorXd& times) const override {
-    VectorXd w = first_, a(w.size());
+    VectorXd w = first_, a(w.size()), f_C;
+    ContactRecord record(contact_);
+    if (in_contact_) record.add(0, system_.u0, system_.v0);
     States out = march(system_, h_, times, [&](double, double t1, const Motion& from, Motion& to) {
       to.u.noalias() = from.u + h_ * w;
       force_(t1, to.u, w, a);
+      if (in_contact_) {
+        contact_(contact_.gather(to.u), contact_.gather(w), f_C);
+        contact_.add(f_C, a);
+      }
       A_.solve(a, a);
       to.v.noalias() = w + (h_ / 2) * a;
       w.noalias() += h_ * a;
+      if (in_contact_) record.add(t1, to.u, to.v);
     });
+    if (in_contact_) out.contact = record.history(times, out.u, out.v, out.n_valid);
     out.work.factorisations = n_factors_;
     if (!A_.is_diagonal()) out.work.solves = out.work.steps + 1;
     return out;
@@ -64,6 +76,8 @@ class CentralDifference final : public Stepper {
 
   const System& system_;
   double h_;
+  ContactForces contact_;
+  bool in_contact_;
   UnbalancedForce force_;
   System lumped_;
   Shifted A_;
@@ -74,7 +88,11 @@ class CentralDifference final : public Stepper {
 }  // namespace
 
 std::unique_ptr<Stepper> central_difference(const System& system, double h) {
-  return std::make_unique<CentralDifference>(system, checked_step(h, "central difference"));
+  return std::make_unique<CentralDifference>(system, std::vector<Contact>(), checked_step(h, "central difference"));
+}
+
+std::unique_ptr<Stepper> central_difference(const System& system, const std::vector<Contact>& contacts, double h) {
+  return std::make_unique<CentralDifference>(system, contacts, checked_step(h, "central difference"));
 }
 
 }  // namespace mb

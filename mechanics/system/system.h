@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+#include "mechanics/contact/touches.h"
 #include "mechanics/history/history.h"
 #include "mechanics/material/damping.h"
 #include "mechanics/types.h"
@@ -61,6 +62,7 @@ struct States {
   Work work;
   Status status = Status::ok;
   Index n_valid = 0;
+  ContactHistory contact = {};  // of steppers in contact
 };
 
 // A time integrator prepared for one system (factors made). Runs repeat to the last digit, one thread at a time: they

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "modal/bases/ritz_modes.h"
+#include "modal/contact/floating_answer.h"
 #include "modal/methods/methods.h"
 #include "modal/methods/projection.h"
 
@@ -22,6 +23,7 @@ class Polynomials : public LinearMethod {
       const System& system = body.full->system();
       const Modes modes = ritz_modes(system, body.full->polynomials(degree_));
       reduction.bodies.push_back(mb::reduce(body, modes, MatrixXd(system.F.rows(), 0)));
+      answer_in_contact(reduction, model, modes, false);
       reduction.modes_used = std::max(reduction.modes_used, static_cast<int>(modes.size() - modes.n_rigid));
     }
     return reduction;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "modal/bases/eigenmodes.h"
+#include "modal/contact/floating_answer.h"
 #include "modal/methods/projection.h"
 
 namespace mb {
@@ -22,6 +23,7 @@ Reduction in_eigenmodes(const Model& model, const Settings& settings, bool corre
                                     ? residual_flexibility(system, modes, inertia_relief(system, shifted, system.F))
                                     : MatrixXd(system.F.rows(), 0);
     reduction.bodies.push_back(reduce(body, modes, correction));
+    answer_in_contact(reduction, model, modes, corrected);
     reduction.modes_used = std::max(reduction.modes_used, static_cast<int>(modes.size() - modes.n_rigid));
   }
   return reduction;

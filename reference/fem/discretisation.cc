@@ -6,11 +6,14 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
 
+#include "cases/scene/resolution.h"
 #include "mechanics/geometry/overloaded.h"
 
 namespace mb::fem {
@@ -57,7 +60,8 @@ bool is_one_block(const Shape& shape, const Resolution& resolution) {
 // The shape, if such a mesh of it can be made.
 const Shape& meshable(const Shape& shape, const Resolution& resolution) {
   const auto& cells = resolution.cells;
-  bool possible = resolution.degree >= 1 && resolution.degree <= 4 && cells.size() == 3 - shape.index();
+  bool possible = !std::holds_alternative<Superquadric>(shape) && resolution.degree >= 1 && resolution.degree <= 4 &&
+                  resolution.graded >= 0 && resolution.graded <= 12 && cells.size() == 3 - shape.index();
   for (size_t i = 0; possible && i < cells.size(); ++i) {
     const int least = i == 0 && std::holds_alternative<Cylinder>(shape) ? 0 : 1;
     possible = cells[i] >= least && cells[i] <= 1024;
@@ -91,6 +95,10 @@ void make(Mesh& mesh, const Cylinder& cylinder, const std::vector<int>& cells) {
 void make(Mesh& mesh, const Sphere& sphere, const std::vector<int>& cells) {
   dealii::GridGenerator::hyper_ball(mesh, Point(), sphere.radius);
   mesh.refine_global(static_cast<unsigned>(refinements(cells[0])));
+}
+
+void make(Mesh&, const Superquadric&, const std::vector<int>&) {
+  throw std::logic_error("meshable() lets no superquadric pass");
 }
 
 // Gives every boundary face the index of the named face that all its vertices lie on; of two such the plane one: the
@@ -130,9 +138,26 @@ void attach_manifold(Mesh& mesh, const Shape& shape, bool one_block, const std::
     mesh.set_manifold(curved, dealii::SphericalManifold<3>());
 }
 
+// Halves the cells near the foci as often as the resolution says.
+void grade(Mesh& mesh, const Shape& shape, const Resolution& resolution, const std::vector<Vector3d>& foci) {
+  if (resolution.graded == 0) return;
+  if (foci.empty()) throw std::invalid_argument("mesh " + to_string(resolution) + " without a point to grade it to");
+  for (const Vector3d& x : foci)
+    if (!contains(shape, x, 1e-6 * extent(shape)))
+      throw std::invalid_argument(
+          fmt::format("mesh graded to the point ({:.6g}, {:.6g}, {:.6g}) m outside the body", x[0], x[1], x[2]));
+  for (int level = 0; level < resolution.graded; ++level) {
+    refine_near(mesh, foci);
+    const double n_dofs = 3 * std::pow(resolution.degree, 3) * mesh.n_active_cells();
+    if (n_dofs > most_dofs)
+      throw std::invalid_argument(fmt::format("mesh {} has {:.2g} degrees of freedom after {} gradings: at most {:.0f}",
+                                              to_string(resolution), n_dofs, level + 1, most_dofs));
+  }
+}
+
 }  // namespace
 
-Discretisation::Discretisation(const Shape& shape_, const Resolution& resolution)
+Discretisation::Discretisation(const Shape& shape_, const Resolution& resolution, const std::vector<Vector3d>& foci)
     : shape(meshable(shape_, resolution)),
       faces(face_names(shape_)),
       mapping(static_cast<unsigned>(resolution.degree)),
@@ -141,7 +166,10 @@ Discretisation::Discretisation(const Shape& shape_, const Resolution& resolution
   std::visit([&](const auto& s) { make(mesh, s, resolution.cells); }, shape);
   name_boundary(mesh, shape, faces);
   attach_manifold(mesh, shape, is_one_block(shape, resolution), faces);
+  grade(mesh, shape, resolution, foci);
   nodes.distribute_dofs(element);
+  hanging = hanging_nodes(nodes);
+  map_conforming(nodes, hanging, mapping);
 }
 
 Matrix3Xd Discretisation::node_positions() const {

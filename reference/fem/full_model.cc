@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cases/scene/touch_points.h"
 #include "reference/fem/assembly.h"
+#include "reference/fem/contact_surface.h"
 #include "reference/fem/discretisation.h"
 #include "reference/fem/evaluation.h"
 #include "reference/fem/supports.h"
@@ -49,17 +51,20 @@ ModalDamping ratios_as_damping(const System& s, const Body& body, const ModeSolv
 class DealiiModel final : public FullModel {
  public:
   DealiiModel(const Scene& scene, const Body& body, const Resolution& resolution, const ModeSolver& modes)
-      : mesh_(body.shape, resolution), supports_(fem::condense(mesh_, body.supports)) {
+      : mesh_(body.shape, resolution, resolution.graded > 0 ? touch_points(scene, body) : std::vector<Vector3d>{}),
+        supports_(fem::condense(mesh_, body.supports)) {
     const fem::Matrices full = fem::assemble(mesh_, body.material);
     const SparseMatrix& T = supports_.T;
-    const bool unsupported = body.supports.empty();
-    system_.M = unsupported ? full.M : SparseMatrix(T.transpose() * full.M * T);
-    system_.K = unsupported ? full.K : SparseMatrix(T.transpose() * full.K * T);
+    const bool all_free = T.rows() == T.cols();  // nothing held, nothing hanging: T = 1
+    system_.M = all_free ? full.M : SparseMatrix(T.transpose() * full.M * T);
+    system_.K = all_free ? full.K : SparseMatrix(T.transpose() * full.K * T);
     system_.lumped_mass = T.transpose() * fem::lumped_mass(mesh_, body.material.density).asDiagonal() * T;
     system_.damping = body.damping;
     system_.R = fem::free_rigid_modes(mesh_, supports_, system_.M);
     apply_loads(scene, body, full.M);
     system_.u0 = system_.v0 = VectorXd::Zero(T.cols());
+    if (body.supports.empty() && !body.twist.velocity.isZero(0))
+      system_.v0 = translation(body.pose.orientation.conjugate() * body.twist.velocity);
     mesh_volume_ = full.mesh_volume;
     if (!body.damping_ratios.empty())
       system_.modal_damping = ratios_as_damping(system_, body, modes);
@@ -73,6 +78,14 @@ class DealiiModel final : public FullModel {
   }
   SparseMatrix strain_at(const Matrix3Xd& points) const override { return fem::strain_at(mesh_, points) * supports_.T; }
   MatrixXd polynomials(int degree) const override { return fem::polynomials(mesh_, supports_, degree); }
+  ContactPoints contact_points(const RigidSurface& surface, double reach) const override {
+    ContactPoints points = fem::contact_points(mesh_, surface, reach);
+    points.U = SparseMatrix(points.U * supports_.T);
+    return points;
+  }
+  VectorXd translation(const Vector3d& direction) const override {
+    return fem::translation(mesh_, direction)(supports_.kept);
+  }
   Index n_cells() const override { return mesh_.mesh.n_active_cells(); }
   double mesh_volume() const override { return mesh_volume_; }
 
@@ -80,7 +93,9 @@ class DealiiModel final : public FullModel {
   void apply_loads(const Scene& scene, const Body& body, const SparseMatrix& M_full) {
     const std::optional<Drive> drive = fem::common_drive(body.supports);
     const Index n_loads = static_cast<Index>(scene.loads.size());
-    MatrixXd F = MatrixXd::Zero(mesh_.n_dofs(), n_loads + (drive ? 1 : 0));
+    const Vector3d gravity = body.pose.orientation.conjugate() * scene.gravity;
+    const bool weighs = !gravity.isZero(0);
+    MatrixXd F = MatrixXd::Zero(mesh_.n_dofs(), n_loads + (drive ? 1 : 0) + (weighs ? 1 : 0));
     for (Index l = 0; l < n_loads; ++l) {
       const Load& load = scene.loads[static_cast<size_t>(l)];
       for (const Traction& t : load.tractions)
@@ -91,6 +106,10 @@ class DealiiModel final : public FullModel {
       F.col(n_loads) = -(M_full * fem::translation(mesh_, drive->direction));
       system_.s.push_back(drive->acceleration);
     }
+    if (weighs) {
+      F.rightCols(1) = M_full * fem::translation(mesh_, gravity);
+      system_.s.push_back(Step{});
+    }
     system_.F = supports_.T.transpose() * F;
   }
 
@@ -99,6 +118,10 @@ class DealiiModel final : public FullModel {
   System system_;
   double mesh_volume_ = 0;
 };
+
+bool touches(const Scene& scene, const Body& body) {
+  return std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const auto& c) { return c.body == body.name; });
+}
 
 }  // namespace
 
@@ -110,7 +133,9 @@ std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body
 Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resolution, const ModeSolver& modes) {
   Model model{scene, {}};
   for (const Body& body : scene->bodies) {
-    const auto full = full_model(*scene, body, resolution ? *resolution : body.resolution, modes);
+    Resolution mesh = resolution ? *resolution : body.resolution;
+    if (resolution && !touches(*scene, body)) mesh.graded = 0;
+    const auto full = full_model(*scene, body, mesh, modes);
     const EvaluationPoints points = evaluation_points(*scene, body);
     model.bodies.push_back({full, points, full->displacement_at(points.all()), full->strain_at(points.strained())});
   }

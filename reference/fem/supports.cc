@@ -42,12 +42,30 @@ void mark_fixed(const Discretisation& d, const Support& support, std::vector<boo
     }
 }
 
-SparseMatrix selection(Index n, const std::vector<Index>& kept) {
+// What is held, and what hangs on what is not: T of the components that are neither. Where a hanging node is held, so
+// are its masters: they lie on the same edge of the same face.
+Supports free_components(const Discretisation& d, const std::vector<bool>& fixed) {
+  Supports free;
+  std::vector<Index> column(fixed.size(), -1);
+  for (Index i = 0; i < d.n_dofs(); ++i) {
+    const bool hangs = d.hanging.is_constrained(static_cast<dealii::types::global_dof_index>(i / 3));
+    if (hangs || fixed[static_cast<size_t>(i)]) continue;
+    column[static_cast<size_t>(i)] = std::ssize(free.kept);
+    free.kept.push_back(i);
+  }
   Triplets entries;
-  for (size_t j = 0; j < kept.size(); ++j) entries.emplace_back(kept[j], static_cast<Index>(j), 1.0);
-  SparseMatrix T(n, static_cast<Index>(kept.size()));
-  T.setFromTriplets(entries.begin(), entries.end());
-  return T;
+  for (size_t j = 0; j < free.kept.size(); ++j) entries.emplace_back(free.kept[j], static_cast<Index>(j), 1.0);
+  for (const auto& hanging : d.hanging.get_lines())
+    for (size_t i = 0; i < 3; ++i)
+      for (const auto& [master, c] : hanging.entries) {
+        const Index j = column[3 * master + i];
+        if (j < 0) continue;
+        if (fixed[3 * hanging.index + i]) throw std::logic_error("a node is held that hangs on one which is not");
+        entries.emplace_back(static_cast<Index>(3 * hanging.index + i), j, c);
+      }
+  free.T.resize(d.n_dofs(), std::ssize(free.kept));
+  free.T.setFromTriplets(entries.begin(), entries.end());
+  return free;
 }
 
 // Adds c^T T u = 0: the entry with the largest coefficient follows from the others.
@@ -97,6 +115,7 @@ MatrixXd admitted(const Supports& supports, const MatrixXd& fields) {
 }
 
 // Values at the nodes of orthonormal combinations of x^i y^j z^k, i + j + k <= degree, about the centre: n_nodes x m.
+// Hanging nodes take what their masters give them.
 MatrixXd scalar_polynomials(const Discretisation& d, int degree) {
   Matrix3Xd x = d.node_positions();
   for (int i = 0; i < 3; ++i) x.row(i) /= x.row(i).cwiseAbs().maxCoeff();  // to [-1, 1]
@@ -107,6 +126,11 @@ MatrixXd scalar_polynomials(const Discretisation& d, int degree) {
       for (int j = total - i; j >= 0; --j)
         P.col(column++) =
             (x.row(0).array().pow(i) * x.row(1).array().pow(j) * x.row(2).array().pow(total - i - j)).transpose();
+  for (const auto& hanging : d.hanging.get_lines()) {
+    auto row = P.row(static_cast<Index>(hanging.index));
+    row.setZero();
+    for (const auto& [master, c] : hanging.entries) row += c * P.row(static_cast<Index>(master));
+  }
   Eigen::ColPivHouseholderQR<MatrixXd> qr(P);
   qr.setThreshold(1e-10);  // monomials of low degree on [-1, 1] are far from dependent, unless the nodes are too few
   return qr.householderQ() * MatrixXd::Identity(P.rows(), qr.rank());
@@ -118,10 +142,7 @@ Supports condense(const Discretisation& d, const std::vector<Support>& supports)
   std::vector<bool> fixed(static_cast<size_t>(d.n_dofs()), false);
   for (const Support& support : supports)
     if (support.kind != Support::Kind::mean) mark_fixed(d, support, fixed);
-  Supports result;
-  for (Index i = 0; i < d.n_dofs(); ++i)
-    if (!fixed[static_cast<size_t>(i)]) result.kept.push_back(i);
-  result.T = selection(d.n_dofs(), result.kept);
+  Supports result = free_components(d, fixed);
   for (const Support& support : supports)
     if (support.kind == Support::Kind::mean) eliminate(patch_normal(d, support.patch), result);
   if (result.kept.empty()) throw std::invalid_argument("the supports leave nothing free");

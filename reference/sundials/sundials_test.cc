@@ -1,4 +1,4 @@
-#include "reference/sundials.h"
+#include "reference/sundials/sundials.h"
 
 #include <gtest/gtest.h>
 

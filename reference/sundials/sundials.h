@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "mechanics/contact/contact.h"
 #include "mechanics/system/system.h"
 
 namespace mb {
@@ -14,5 +15,10 @@ namespace mb {
 // output between steps is interpolated by ARKODE's Hermite polynomial of degree 4. duration [s]: the longest time that
 // will be asked for.
 std::unique_ptr<Stepper> sundials(const System& system, double relative_tolerance, double duration);
+
+// The same in contact, from its first touch on: tolerances are relative to the contacts' scales alone, and the steps at
+// which the least gap passes zero are found. Loads must be steady; contacts must outlive the stepper.
+std::unique_ptr<Stepper> sundials(const System& system, const std::vector<Contact>& contacts, double tolerance,
+                                  double duration);
 
 }  // namespace mb

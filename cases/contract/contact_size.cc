@@ -1,0 +1,85 @@
+#include "cases/contract/contact_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "mechanics/contact/hertz_motion.h"
+#include "mechanics/geometry/signed_distance.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double flat = 0.05;           // [-] curvature by extent below which a contact is not a point
+constexpr double sharpest = 50;         // [-] curvature by extent: edges and corners count as rounded off
+constexpr double widest = 0.5;          // [-] contact radius by radius of curvature: beyond, Hertz's says nothing
+constexpr double layer_stiffness = 100; /* [-] k_n a / E* */
+
+double youngs_modulus(const Material& m) {
+  return m.orthotropy ? m.orthotropy->youngs_moduli.maxCoeff() : m.youngs_modulus;
+}
+double contact_modulus_of(const Material& m) {
+  const double nu = m.orthotropy ? 0 : m.poissons_ratio;
+  return youngs_modulus(m) / (1 - nu * nu);
+}
+
+// Principal curvatures [1/m] of the gap, k_1 <= k_2: the body's and the obstacle's together, across the normal.
+Eigen::Vector2d curvatures(const Body& body, const Vector3d& X, const Pose& pose, const Gap& at) {
+  const Eigen::Matrix3d Q = pose.orientation.toRotationMatrix();
+  const Eigen::Matrix3d sum = Q * signed_distance(body.shape, X).hessian * Q.transpose() + at.hessian;
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - at.normal * at.normal.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(across * sum * across);
+  Eigen::Index along = 0;
+  (eigen.eigenvectors().transpose() * at.normal).cwiseAbs().maxCoeff(&along);
+  const double k_a = eigen.eigenvalues()[along == 0 ? 1 : 0], k_b = eigen.eigenvalues()[along == 2 ? 1 : 2];
+  const double most = sharpest / extent(body.shape);
+  return {std::clamp(std::min(k_a, k_b), 0.0, most), std::clamp(std::max(k_a, k_b), 0.0, most)};
+}
+
+// How far the shape extends along a direction of its frame [m].
+double height(const Shape& shape, const Vector3d& n) {
+  const Matrix3Xd points = surface_quadrature(shape).points;
+  const Eigen::RowVectorXd along = n.transpose() * points;
+  return along.maxCoeff() - along.minCoeff();
+}
+
+struct Press {
+  double mass, speed, weight;
+};  // [kg], [m/s], [N]
+
+ContactSize point_contact(const Press& press, double modulus, double radius) {
+  const double k = 4.0 / 3 * modulus * std::sqrt(radius);
+  // The speed at which an impact would reach the approach that the weight makes: m v^2/2 = 2/5 k delta^(5/2).
+  const double resting = std::pow(press.weight / k, 2.0 / 3);
+  const double speed = std::max(press.speed, std::sqrt(0.8 * k * std::pow(resting, 2.5) / press.mass));
+  const HertzPeaks peaks = hertz_peaks({press.mass, k, speed});
+  const double a = std::min(std::sqrt(radius * peaks.approach), widest * radius);
+  return {modulus, a, peaks.approach, speed, peaks.duration, peaks.force, 0};
+}
+
+ContactSize flat_contact(const Press& press, const Body& body, double modulus, double l) {
+  const double c = std::sqrt(youngs_modulus(body.material) / body.material.density), A = volume(body.shape) / l;
+  const double impedance = body.material.density * c * A;
+  const double speed = std::max(press.speed, press.weight / impedance);
+  return {modulus, std::sqrt(A / pi), speed * l / c, speed, 2 * l / c, impedance * speed, 0};
+}
+
+}  // namespace
+
+ContactSize contact_size(const Body& body, const ContactPair& pair, const Vector3d& X, const Pose& pose, const Gap& at,
+                         double speed, const Vector3d& gravity) {
+  const double mass = body.material.density * volume(body.shape);
+  const Press press{mass, speed, std::max(0.0, -mass * gravity.dot(at.normal))};
+  if (!(press.speed > 0 || press.weight > 0))
+    throw std::invalid_argument("nothing presses '" + body.name + "' against '" + pair.obstacle + "'");
+  const Eigen::Vector2d k = curvatures(body, X, pose, at);
+  const double modulus = contact_modulus_of(body.material), l = extent(body.shape);
+  ContactSize size =
+      k[1] * l < flat ? flat_contact(press, body, modulus, height(body.shape, pose.orientation.conjugate() * at.normal))
+                      : point_contact(press, modulus, 1 / std::sqrt(std::max(k[0], flat / l) * k[1]));
+  size.stiffness = pair.stiffness > 0 ? pair.stiffness : layer_stiffness * modulus / size.radius;
+  return size;
+}
+
+}  // namespace mb

@@ -1,0 +1,35 @@
+// How the bodies of a scene, rigid as yet, come to their obstacles: what happens before anything deforms, in closed
+// form, the same for every answer.
+#pragma once
+
+#include <limits>
+
+#include "cases/contract/contact_size.h"
+#include "mechanics/contact/law.h"
+
+namespace mb {
+
+// One contact of a body, as if it were alone: its first touch, or its nearest approach within the duration.
+struct Meeting {
+  size_t contact;  // place in scene.contacts
+  double t;        // [s] of the first touch; infinity: none within the scene's duration
+  Vector3d X;      // [m] body frame: where the body touches, or comes nearest; of an edge or a face the middle
+  ContactSize size;
+};
+
+struct Touchdown {
+  double t = std::numeric_limits<double>::infinity();  // [s] of the first touch of all
+  std::vector<Meeting> meetings;                       // in the scene's order; only of this body
+};
+
+// Throws std::invalid_argument where the body starts within an obstacle, deeper than 1e-9 of its extent, naming both
+// and the depth.
+Touchdown touchdown(const Scene& scene, const Body& body);
+
+PenaltyLaw law_of(const ContactPair& pair, const ContactSize& size);
+const Obstacle& obstacle_of(const Scene& scene, const ContactPair& pair);  // throws std::out_of_range naming it
+
+// An obstacle as seen from a frame: gap(seen, X) = gap(surface, frame.to_world(X)).
+RigidSurface seen_from(const Pose& frame, const RigidSurface& surface);
+
+}  // namespace mb

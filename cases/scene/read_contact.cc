@@ -1,0 +1,116 @@
+#include "cases/scene/read_contact.h"
+
+#include <fmt/format.h>
+
+#include "cases/scene/names.h"
+#include "cases/scene/read_obstacle.h"
+#include "mechanics/contact/law.h"
+
+namespace mb {
+
+namespace {
+
+const Range stiffness_range{1, 1e20, "Pa/m"};
+const Range damping_range{0, 1e6, "s/m"};
+const Range coefficient_range{0, 10, "", true};
+const Range slip_range{1e-9, 100, "m/s"};
+
+std::vector<ObstacleDraft> read_obstacles(Section& root) {
+  std::vector<ObstacleDraft> drafts;
+  Names names("obstacle");
+  for (Section& section : root.sections("obstacle", {0, 64})) {
+    drafts.push_back(read_obstacle(section));
+    names.add(section, drafts.back().name);
+  }
+  return drafts;
+}
+
+// Zero where there is none; nothing where it is wrong.
+std::optional<Friction> read_friction(Section& contact) {
+  if (!contact.has("friction")) return Friction{0, 0};
+  auto table = contact.section("friction");
+  if (!table) return std::nullopt;
+  const auto coefficient = table->number("coefficient", coefficient_range);
+  const auto slip_speed = table->number("slip_speed", slip_range);
+  table->finish();
+  if (!coefficient || !slip_speed) return std::nullopt;
+  return Friction{*coefficient, *slip_speed};
+}
+
+// Names, where they name something.
+struct Meeting {
+  std::optional<std::string> body, obstacle;
+};
+
+class ContactReader {
+ public:
+  ContactReader(const std::vector<BodyDraft>& bodies, std::vector<ObstacleDraft> obstacles)
+      : bodies_(names_of(bodies)), obstacles_(std::move(obstacles)), obstacle_names_(names_of(obstacles_)) {}
+
+  void read(Section section) {
+    const Meeting meeting{read_reference(section, "body", bodies_, "body", "bodies"),
+                          read_reference(section, "obstacle", obstacle_names_, "obstacle", "obstacles")};
+    const auto stiffness = section.number_or("auto", 0, "stiffness", stiffness_range);
+    const double damping = section.number("damping", damping_range, 0);
+    const auto friction = read_friction(section);
+    section.finish();
+    note(section, meeting);
+    if (!meeting.body || !meeting.obstacle || !stiffness || !friction) return;
+    drafts_.pairs.push_back(
+        {*meeting.body, *meeting.obstacle, *stiffness, damping, friction->coefficient, friction->slip_speed});
+  }
+
+  // An obstacle that nothing meets was forgotten, unless it is the one that a contact misspells.
+  ContactDrafts finished(Findings& findings) {
+    for (const ObstacleDraft& obstacle : obstacles_) {
+      if (!obstacle.name) continue;
+      if (all_obstacles_known_ && !met_.contains(*obstacle.name)) {
+        findings.error(obstacle.where, fmt::format("no [[contact]] names obstacle '{}'", *obstacle.name));
+      }
+      if (obstacle.surface) drafts_.obstacles.push_back({*obstacle.name, *obstacle.surface});
+    }
+    return std::move(drafts_);
+  }
+
+ private:
+  void note(Section& section, const Meeting& meeting) {
+    drafts_.all_bodies_known = drafts_.all_bodies_known && meeting.body;
+    all_obstacles_known_ = all_obstacles_known_ && meeting.obstacle;
+    if (meeting.body) drafts_.bodies.insert(*meeting.body);
+    if (meeting.obstacle) met_.insert(*meeting.obstacle);
+    if (!meeting.body || !meeting.obstacle || pairs_.insert({*meeting.body, *meeting.obstacle}).second) return;
+    section.findings().error(section.where(), fmt::format("there is another [[contact]] of body '{}' and obstacle '{}'",
+                                                          *meeting.body, *meeting.obstacle));
+  }
+
+  std::vector<std::optional<std::string>> bodies_;
+  std::vector<ObstacleDraft> obstacles_;
+  std::vector<std::optional<std::string>> obstacle_names_;
+  std::set<std::string> met_;
+  std::set<std::pair<std::string, std::string>> pairs_;
+  bool all_obstacles_known_ = true;
+  ContactDrafts drafts_;
+};
+
+}  // namespace
+
+ContactDrafts read_contacts(Section& root, const std::vector<BodyDraft>& bodies) {
+  ContactReader reader(bodies, read_obstacles(root));
+  const std::vector<Section> sections = root.sections("contact", {0, 64});
+  for (const Section& section : sections) reader.read(section);
+  ContactDrafts drafts = reader.finished(root.findings());
+  drafts.any = root.has("contact") && !root.is_empty_array("contact");
+  if (drafts.any && sections.empty()) drafts.all_bodies_known = false;  // of another type
+  return drafts;
+}
+
+std::vector<BodyDraft> with_touches(std::vector<BodyDraft> bodies, const ContactDrafts& contacts) {
+  for (BodyDraft& body : bodies) {
+    if (!body.name) continue;
+    const bool touches = contacts.bodies.contains(*body.name);
+    if (touches || contacts.all_bodies_known) body.touches = touches;
+  }
+  return bodies;
+}
+
+}  // namespace mb

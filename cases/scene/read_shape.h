@@ -1,0 +1,17 @@
+// `shape = { kind, ... }` of bodies and obstacles.
+#pragma once
+
+#include <variant>
+
+#include "cases/scene/section.h"
+#include "mechanics/contact/rigid_surface.h"
+#include "mechanics/geometry/shape.h"
+
+namespace mb {
+
+std::optional<Shape> read_body_shape(Section section);
+
+// Obstacles may be superquadrics, and half-spaces, which fill z <= 0 of their frame.
+std::optional<std::variant<HalfSpace, Shape>> read_obstacle_shape(Section section);
+
+}  // namespace mb

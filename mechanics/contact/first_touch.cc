@@ -1,0 +1,156 @@
+#include "mechanics/contact/first_touch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "mechanics/contact/first_touch_certificate.h"
+#include "mechanics/contact/first_touch_instant.h"
+#include "mechanics/contact/first_touch_support.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+class March {
+ public:
+  March(const Shape& body, const BodyMotion& motion, const RigidSurface& obstacle, const TouchSearch& search)
+      : surface_(body),
+        motion_(motion, search),
+        obstacle_(obstacle),
+        search_(search),
+        descent_(surface_, motion_, obstacle),
+        leaving_(search.leaving) {}
+
+  std::optional<FirstTouch> run();
+
+ private:
+  // What a front of time ends with.
+  struct Front {
+    std::optional<FirstTouch> touch;
+    double step = 0;  // [s] the surface is clear so long; 0: no step could be proved
+  };
+  PatchPoint first_guess();
+  double tolerance(const NearPoint& p, double t) const;
+  Front front(double t, double horizon);
+  std::optional<FirstTouch> touch_at(double t);
+  FirstTouch answer(FirstTouch::Kind kind, double t, const NearPoint& p, double clear) const;
+  [[noreturn]] void give_up(double t) const;
+
+  TouchSurface surface_;
+  CountedMotion motion_;
+  const RigidSurface& obstacle_;
+  const TouchSearch& search_;
+  Descent descent_;
+  NearPoint near_{};
+  double before_ = 0;  // [s] the last front, up to which the surface is clear
+  bool leaving_;
+  double highest_ = -infinity;  // [m] m of the fronts before, while leaving
+  Instant at_highest_{};
+};
+
+PatchPoint March::first_guess() {
+  PatchPoint best{};
+  double least = infinity;
+  for (int k = 0; k < surface_.n_patches(); ++k) {
+    const double g = descent_.at(surface_.cell(k).middle, search_.t0).gap.value;
+    if (g < least) least = g, best = surface_.cell(k).middle;
+  }
+  return best;
+}
+
+double March::tolerance(const NearPoint& p, double t) const {
+  const double coordinates = p.motion.x.norm() + p.motion.v.norm() * std::abs(t) + circumradius(surface_.shape()) +
+                             obstacle_.pose.position.norm();
+  return std::max(search_.tolerance, 512 * std::numeric_limits<double>::epsilon() * coordinates);
+}
+
+FirstTouch March::answer(FirstTouch::Kind kind, double t, const NearPoint& p, double clear) const {
+  return {kind, t, p.X, p.motion.x, p.normal, p.gap.value, std::max(0.0, t - clear), motion_.n_evaluations()};
+}
+
+void March::give_up(double t) const {
+  throw std::runtime_error(fmt::format("first_touch: no proof beyond t = {} s, where the gap is {} m, in {} evaluations",
+                                       t, near_.gap.value, motion_.n_evaluations()));
+}
+
+std::optional<FirstTouch> March::touch_at(double t) {
+  const auto touch = touch_instant(descent_, {t, near_}, before_, search_.t1, tolerance(near_, t),
+                                   circumradius(surface_.shape()));
+  if (!touch) return std::nullopt;
+  return answer(touch->kind, touch->instant.t, touch->instant.near, t);
+}
+
+March::Front March::front(double t, double horizon) {
+  const bool first = t == search_.t0;
+  PatchPoint start = near_.at;
+  while (true) {
+    if (motion_.spent()) give_up(t);
+    near_ = descent_.nearest(start, t, leaving_ ? -infinity : 0, 1e-12);
+    const double m = near_.gap.value, tol = tolerance(near_, t);
+    if (first && m < -std::max(tol, leaving_ ? search_.depth : 0)) return {answer(FirstTouch::overlap, t, near_, t)};
+    if (m > tol) leaving_ = false;
+    if (leaving_ && m <= highest_ - 0.5 * tol) {
+      return {answer(FirstTouch::hit, at_highest_.t, at_highest_.near, at_highest_.t)};
+    }
+    const bool touching = !leaving_ && m <= tol;
+    if (touching && !first) return {touch_at(t)};
+    const double level = leaving_ ? std::max(highest_, m) - tol : touching ? m - tol : 0.5 * tol;
+    const double ahead = touching ? 0 : horizon;
+    const MotionBounds bounds = motion_.bounds(t, t + ahead);
+    const Proof proof = prove_clear({t, ahead, near_, level, bounds}, surface_, motion_, obstacle_);
+    if (proof.lower >= 0) {
+      start = surface_.cell(proof.lower).middle;
+      continue;
+    }
+    if (touching) return {touch_at(t)};
+    if (leaving_ && m > highest_) highest_ = m, at_highest_ = {t, near_};
+    return {std::nullopt, proof.dt};
+  }
+}
+
+std::optional<FirstTouch> March::run() {
+  near_.at = first_guess();
+  double t = search_.t0, horizon = search_.t1 - search_.t0;
+  before_ = t;
+  while (true) {
+    const Front now = front(t, horizon);
+    if (now.touch) return now.touch;
+    if (t >= search_.t1) return std::nullopt;
+    // While leaving half a step: there the concave lower bound is highest, at its end it is down at the level again.
+    const bool to_the_end = now.step >= search_.t1 - t;
+    const double step = leaving_ && !to_the_end ? 0.5 * now.step : now.step;
+    if (!(t + step > t)) {
+      if (auto touch = touch_at(t)) return touch;
+      give_up(t);
+    }
+    before_ = t;
+    t = to_the_end ? search_.t1 : t + step;
+    horizon = std::min(search_.t1 - t, 4 * step);
+  }
+}
+
+void require_valid(const TouchSearch& s) {
+  if (!(std::isfinite(s.t0) && std::isfinite(s.t1) && s.t0 <= s.t1))
+    throw std::invalid_argument(fmt::format("first_touch: from t0 = {} s to t1 = {} s is no interval", s.t0, s.t1));
+  if (!(s.tolerance > 0 && std::isfinite(s.tolerance)))
+    throw std::invalid_argument(fmt::format("first_touch: the tolerance is {} m, not finite and > 0", s.tolerance));
+  if (!(s.depth >= 0 && std::isfinite(s.depth)))
+    throw std::invalid_argument(fmt::format("first_touch: the depth is {} m, not finite and >= 0", s.depth));
+  if (!(s.budget > 0)) throw std::invalid_argument("first_touch: the budget is not positive");
+}
+
+}  // namespace
+
+std::optional<FirstTouch> first_touch(const Shape& body, const BodyMotion& motion, const RigidSurface& obstacle,
+                                      const TouchSearch& search) {
+  require_valid(search);
+  return March(body, motion, obstacle, search).run();
+}
+
+}  // namespace mb

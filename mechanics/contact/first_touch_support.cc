@@ -1,0 +1,80 @@
+#include "mechanics/contact/first_touch_support.h"
+
+#include <cmath>
+
+#include "mechanics/geometry/overloaded.h"
+
+namespace mb {
+
+namespace {
+
+double side(double w) { return w < 0 ? -1 : 1; }
+
+// Gradient of the norm |(a, b)| with exponent 2/(2 - e), of a, b >= 0 that are not both 0: with r = b/a <= 1,
+// m = 2/(2 - e):   (1, r^(m-1)) / (1 + r^m)^(1/p),   p = 2/e the conjugate. e = 2 is the maximum norm.
+Eigen::Vector2d dual_gradient(double a, double b, double e) {
+  if (a < b) return dual_gradient(b, a, e).reverse();
+  if (e == 2) return {1, 0};
+  const double r = b / a, m = 2 / (2 - e);
+  const double slope = r > 0 ? std::pow(r, m - 1) : 0;  // m > 1
+  return Eigen::Vector2d(1, slope) / std::pow(1 + slope * r, e / 2);
+}
+
+Vector3d farthest(const Superquadric& body, const Vector3d& w) {
+  const Vector3d scaled = body.semi_axes.cwiseProduct(w.cwiseAbs());
+  const double largest = scaled.maxCoeff();
+  if (!(largest > 0)) return {0, 0, body.semi_axes[2]};
+  const Vector3d u = scaled / largest;
+  const Eigen::Vector2d across =
+      std::max(u[0], u[1]) > 0 ? dual_gradient(u[0], u[1], body.e2) : Eigen::Vector2d(1, 0);
+  const Eigen::Vector2d along = dual_gradient(across[0] * u[0] + across[1] * u[1], u[2], body.e1);
+  const Vector3d X(along[0] * across[0], along[0] * across[1], along[1]);
+  return body.semi_axes.cwiseProduct(X).cwiseProduct(w.unaryExpr(&side));
+}
+
+}  // namespace
+
+Vector3d support_point(const Shape& shape, const Vector3d& w) {
+  return std::visit(overloaded{[&](const Box& b) -> Vector3d {
+                                 return 0.5 * b.size.cwiseProduct(w.unaryExpr(&side));
+                               },
+                               [&](const Cylinder& c) -> Vector3d {
+                                 const double rho = w.head<2>().norm(), z = 0.5 * c.length * side(w[2]);
+                                 if (!(rho > 0)) return {c.radius, 0, z};
+                                 return {c.radius * (w[0] / rho), c.radius * (w[1] / rho), z};
+                               },
+                               [&](const Sphere& s) -> Vector3d {
+                                 const double length = w.norm();
+                                 if (!(length > 0)) return {0, 0, s.radius};
+                                 return s.radius * (w / length);
+                               },
+                               [&](const Superquadric& s) { return farthest(s, w); }},
+                    shape);
+}
+
+std::optional<Vector3d> support_point(const RigidSurface& obstacle, const Vector3d& w) {
+  const auto* shape = std::get_if<Shape>(&obstacle.shape);
+  if (!shape) return std::nullopt;
+  const Vector3d direction = obstacle.pose.orientation.conjugate() * w;
+  Vector3d X = support_point(*shape, direction);
+  // A ball of the rounding's radius along the shape less it on all sides.
+  const double r = obstacle.rounding, length = direction.norm();
+  if (r > 0 && length > 0) {
+    const Vector3d n = direction / length;
+    if (std::holds_alternative<Box>(*shape))
+      X += r * (n - n.unaryExpr(&side));
+    else if (std::holds_alternative<Cylinder>(*shape))
+      X += r * (n - Vector3d(X[0], X[1], 0) / X.head<2>().norm() - side(n[2]) * Vector3d::UnitZ());
+  }
+  return obstacle.pose.to_world(X);
+}
+
+double circumradius(const Shape& shape) {
+  return std::visit(overloaded{[](const Box& b) { return 0.5 * b.size.norm(); },
+                               [](const Cylinder& c) { return std::hypot(c.radius, 0.5 * c.length); },
+                               [](const Sphere& s) { return s.radius; },
+                               [](const Superquadric& s) { return s.semi_axes.norm(); }},
+                    shape);
+}
+
+}  // namespace mb

@@ -1,0 +1,61 @@
+#include "modal/contact/contact_shapes.h"
+
+#include <cmath>
+
+#include "mechanics/geometry/graded_rule.h"
+#include "mechanics/geometry/signed_distance.h"
+#include "mechanics/system/static_response.h"
+
+namespace mb {
+
+namespace {
+
+constexpr int n_discs = 4;           // of radius 2a, a, a/2, a/4
+constexpr double independent = 1e-8; /* [-] of the largest energy */
+
+// One column a disc: the nodal forces of its pressure along the inward normal.
+MatrixXd disc_forces(const Body& body, const FullModel& full, const Meeting& meeting) {
+  MatrixXd F(full.system().u0.size(), n_discs);
+  double a = std::min(2 * meeting.size.radius, 0.5 * extent(body.shape));
+  const Vector3d inward = -signed_distance(body.shape, meeting.X).gradient;
+  for (int k = 0; k < n_discs; ++k, a /= 2) {
+    const GradedRule rule = graded_rule(body.shape, {meeting.X}, {a / 4, a / 4, 1, 3}, a);
+    VectorXd p(3 * rule.weights.size());
+    for (Index i = 0; i < rule.weights.size(); ++i) {
+      const double x = (rule.points.col(i) - meeting.X).norm() / a;
+      p.segment<3>(3 * i) = (x < 1 ? rule.weights[i] * std::sqrt(1 - x * x) : 0.0) * inward;
+    }
+    F.col(k) = full.displacement_at(rule.points).transpose() * p;
+  }
+  return F;
+}
+
+}  // namespace
+
+MatrixXd contact_shapes(const Scene& scene, const BodyModel& model, const Modes& modes, double shift,
+                        const Touchdown& touchdown) {
+  const System& system = model.full->system();
+  const Body& body = scene.bodies.front();
+  MatrixXd F(system.u0.size(), 0);
+  for (const Meeting& meeting : touchdown.meetings) {
+    if (!std::isfinite(meeting.t)) continue;
+    F.conservativeResize(Eigen::NoChange, F.cols() + n_discs);
+    F.rightCols(n_discs) = disc_forces(body, *model.full, meeting);
+  }
+  if (F.cols() == 0) return F;
+  const MatrixXd G_F = inertia_relief(system, shifted_factor(system, shift), F);
+  const Index n_elastic = modes.size() - modes.n_rigid;
+  const auto Phi = modes.Phi.rightCols(n_elastic);
+  const VectorXd flexibility = modes.omega.tail(n_elastic).array().square().inverse();
+  MatrixXd Psi = G_F - Phi * (flexibility.asDiagonal() * (Phi.transpose() * F));
+  const VectorXd energy = (Psi.transpose() * (system.K * Psi)).diagonal();
+  for (Index k = 0; k < Psi.cols(); ++k) Psi.col(k) /= std::sqrt(energy[k]);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(Psi.transpose() * (system.K * Psi)));
+  std::vector<Index> kept;
+  for (Index k = 0; k < Psi.cols(); ++k)
+    if (eigen.eigenvalues()[k] > independent * eigen.eigenvalues().maxCoeff()) kept.push_back(k);
+  return Psi * eigen.eigenvectors()(Eigen::all, kept) *
+         eigen.eigenvalues()(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+}  // namespace mb

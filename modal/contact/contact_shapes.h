@@ -1,0 +1,19 @@
+// What modes leave out of a contact's local compliance, as static shapes: the response to Hertz's pressure
+//
+//   p_k(X) = sqrt(1 - (|X - X_c| / a_k)^2) on discs a_k = 2 a, a, a/2, ... about the first touch X_c,
+//
+// less what the modes and rigid motion carry of it (residual flexibility): Psi = (G - Phi Lambda^-1 Phi^T) F, then made
+// K-orthonormal, Psi^T K Psi = I [J].
+#pragma once
+
+#include "cases/contract/model.h"
+#include "cases/contract/modes.h"
+#include "cases/contract/touchdown.h"
+
+namespace mb {
+
+// n x n_s, n_s as many as are independent; 0 columns where the scene's contacts have no first touch.
+MatrixXd contact_shapes(const Scene& scene, const BodyModel& body, const Modes& modes, double shift,
+                        const Touchdown& touchdown);
+
+}  // namespace mb

@@ -1,0 +1,62 @@
+// A step h of a floating body in contact (floating_body.h), by one of
+//
+//   exact              kick h/2, every mode in closed form over h, kick h/2: the contact force acts in pieces
+//                      (Deuflhard 1979, J. Appl. Math. Phys. 30; Hairer, Lubich & Wanner 2006, Geometric Numerical
+//                      Integration, XIII.1), symplectic, order 2; one evaluation of contact a step
+//   symplectic-euler   rates with the forces at the start, then places with these rates: order 1, explicit
+//   newmark            average acceleration of frame and modes, contact at the end implicit: order 2
+//
+// Angular momentum is kept exactly but for the torques; the frame turns by the angular velocity half way, order 2.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "modal/contact/contact_load.h"
+
+namespace mb {
+
+enum class ContactScheme { exact, symplectic_euler, newmark };
+std::optional<ContactScheme> contact_scheme(const std::string& integrator);  // by its name in the catalogue
+
+// A state with what contact does in it, and what it has done since t = 0 by the scheme's own quadrature.
+struct ContactState {
+  BodyState body;
+  ContactLoad load;
+  Vector3d impulse = Vector3d::Zero();  // [N s]
+  double dissipated = 0;                // [J]
+};
+
+class ContactStepper {
+ public:
+  ContactStepper(const FloatingBody& body, ContactScheme scheme, double h);  // h [s] > 0; the body must outlive this
+  void look(ContactState& state);                                            // evaluates the load of its body
+  // false where Newton's method, of the step or of the static shapes, does not converge
+  bool advance(ContactState& state);
+  double step() const { return h_; }
+  long n_evaluations() const { return n_evaluations_; }
+
+ private:
+  void kick(ContactState& state, double tau) const;  // by the contact forces alone
+  void drift(BodyState& body) const;                 // over h, without contact
+  void turn(BodyState& body, double tau) const;
+  bool advance_exactly(ContactState& state);
+  bool advance_by_euler(ContactState& state);
+  bool advance_by_newmark(ContactState& state);
+
+  const FloatingBody& body_;
+  ContactScheme scheme_;
+  double h_;
+  ContactLoads loads_;
+  Eigen::Matrix3d inverse_inertia_;
+  VectorXd lambda_, c_;                 // of modes
+  VectorXd C_, S_, C_dot_, S_dot_, P_;  // of modes over h
+  VectorXd scratch_;
+  long n_evaluations_ = 0;
+};
+
+Vector3d angular_velocity(const FloatingBody& body, const BodyState& state);  // [rad/s] world
+// [J] kinetic and strain energy and that of the weight from c = 0 on, without what contact holds.
+double mechanical_energy(const FloatingBody& body, const BodyState& state);
+
+}  // namespace mb

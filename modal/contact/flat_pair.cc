@@ -1,0 +1,135 @@
+#include "modal/contact/contact_pair.h"
+#include "modal/contact/reach.h"
+
+namespace mb {
+
+namespace {
+
+//   gap_i = n . (c - a) + n_b . X_i + (n_b^T Phi_i) q + (n_b^T Psi_i) s,    n_b = Q^T n,   a a point of the plane
+class FlatPair final : public ContactPair {
+ public:
+  FlatPair(const FloatingBody& body, const SampledContact& contact)
+      : body_(body),
+        contact_(contact),
+        normal_(contact.surface.pose.orientation * Vector3d::UnitZ()),
+        reach_(contact),
+        Phi_(contact.samples.Phi.transpose()),
+        Psi_(contact.samples.Psi.transpose()),
+        largest_q_(largest_displacements(contact.samples.Phi)),
+        largest_s_(largest_displacements(contact.samples.Psi)),
+        rows_(Phi_.rows(), contact.samples.w.size()),
+        static_rows_(Psi_.rows(), contact.samples.w.size()),
+        known_(static_cast<size_t>(contact.samples.w.size()), 0),
+        gap_(contact.samples.w.size()),
+        rate_(contact.samples.w.size()) {}
+
+  void look(const BodyState& state, const Vector3d& Omega) override {
+    state_ = &state;
+    turn_to(state.Q.conjugate() * normal_);
+    const double deformation = largest_q_.dot(state.q.cwiseAbs()) + 2 * largest_s_.dot(state.s.cwiseAbs());
+    n_ = reach_.n_reachable(state.c, state.Q, deformation);
+    const double height = normal_.dot(state.c - contact_.surface.pose.position), climb = normal_.dot(state.v);
+    const bool rated = contact_.law.damping > 0;
+    const Vector3d lever = state.Q.conjugate() * normal_.cross(Omega);  // n . (Omega x r) = (n x Omega) . r
+    for (Index k = 0; k < n_; ++k) {
+      const Index i = reach_[k];
+      require_row(i);
+      const auto row = rows_.col(i);
+      gap_[k] = height + normal_in_body_.dot(contact_.samples.X.col(i)) + row.dot(state.q);
+      if (rated) rate_[k] = climb + row.dot(state.p) + (Omega.isZero(0) ? 0 : lever.dot(place(i, state.s)));
+    }
+    if (!rated) rate_.head(n_).setZero();
+  }
+
+  void push(const VectorXd& s, VectorXd& f_s, MatrixXd& H) override {
+    const auto& [stiffness, damping, friction] = contact_.law;
+    for (Index k = 0; k < n_; ++k) {
+      const Index i = reach_[k];
+      const double gap = gap_[k] + static_rows_.col(i).dot(s), damped = 1 - damping * rate_[k];
+      if (!(gap < 0 && damped > 0)) continue;
+      const double layer = contact_.samples.w[i] * stiffness * damped;
+      f_s.noalias() -= (layer * gap) * static_rows_.col(i);
+      H.noalias() += layer * static_rows_.col(i) * static_rows_.col(i).transpose();
+    }
+  }
+
+  void act(const VectorXd& s, ContactLoad& load) override {
+    const auto& [stiffness, damping, friction] = contact_.law;
+    double sum = 0;
+    Vector3d moment = Vector3d::Zero();  // sum f_i r_i, body frame
+    for (Index k = 0; k < n_; ++k) {
+      const Index i = reach_[k];
+      const double gap = gap_[k] + static_rows_.col(i).dot(s);
+      load.least_gap = std::min(load.least_gap, gap);
+      if (!(gap < 0)) continue;
+      const double damped = std::max(0.0, 1 - damping * rate_[k]), elastic = -contact_.samples.w[i] * stiffness * gap;
+      const double f = elastic * damped;
+      load.stored += 0.5 * elastic * -gap;
+      load.dissipation += elastic * (1 - damped) * rate_[k];
+      sum += f;
+      load.modal.noalias() += f * rows_.col(i);
+      if (body_.free) moment += f * place(i, s);
+    }
+    load.force += sum * normal_;
+    load.torque += state_->Q * moment.cross(normal_in_body_);
+    load.n_visited += n_;
+  }
+
+  void stiffen(const VectorXd& s, double rate, MatrixXd& K) override {
+    const auto& [stiffness, damping, friction] = contact_.law;
+    const Index n_frame = body_.free ? 6 : 0, r = body_.n_modes();
+    VectorXd G(K.rows());
+    for (Index k = 0; k < n_; ++k) {
+      const Index i = reach_[k];
+      const double gap = gap_[k] + static_rows_.col(i).dot(s), damped = 1 - damping * rate_[k];
+      if (!(gap < 0 && damped > 0)) continue;
+      if (body_.free) {
+        G.head<3>() = normal_;
+        G.segment<3>(3) = (state_->Q * place(i, s)).cross(normal_);
+      }
+      G.segment(n_frame, r) = rows_.col(i);
+      G.tail(s.size()) = static_rows_.col(i);
+      const double by_gap = contact_.samples.w[i] * stiffness * damped;
+      const double by_rate = -contact_.samples.w[i] * stiffness * gap * damping;
+      K.noalias() += (by_gap + rate * by_rate) * G * G.transpose();
+    }
+  }
+
+ private:
+  Vector3d place(Index i, const VectorXd& s) const {  // x - c in the body's axes
+    return contact_.samples.X.col(i) + Phi_.middleCols(3 * i, 3).transpose() * state_->q +
+           Psi_.middleCols(3 * i, 3).transpose() * s;
+  }
+  void turn_to(const Vector3d& normal_in_body) {
+    if (normal_in_body == normal_in_body_) return;
+    normal_in_body_ = normal_in_body;
+    ++turn_;
+  }
+  void require_row(Index i) {
+    if (known_[static_cast<size_t>(i)] == turn_) return;
+    rows_.col(i).noalias() = Phi_.middleCols(3 * i, 3) * normal_in_body_;
+    static_rows_.col(i).noalias() = Psi_.middleCols(3 * i, 3) * normal_in_body_;
+    known_[static_cast<size_t>(i)] = turn_;
+  }
+
+  const FloatingBody& body_;
+  const SampledContact& contact_;
+  Vector3d normal_, normal_in_body_ = Vector3d::Zero();
+  Reach reach_;
+  MatrixXd Phi_, Psi_;  // r x 3 m, n_s x 3 m: what belongs to a sample stands together
+  VectorXd largest_q_, largest_s_;
+  MatrixXd rows_, static_rows_;  // n_b^T Phi_i, n_b^T Psi_i as columns, known for this turn
+  std::vector<long> known_;
+  long turn_ = 0;
+  VectorXd gap_, rate_;  // of the samples in reach, in their order
+  Index n_ = 0;
+  const BodyState* state_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<ContactPair> flat_pair(const FloatingBody& body, const SampledContact& contact) {
+  return std::make_unique<FlatPair>(body, contact);
+}
+
+}  // namespace mb

@@ -1,0 +1,165 @@
+#include "modal/contact/floating_answer.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "mechanics/geometry/graded_rule.h"
+#include "mechanics/rigid/inertia.h"
+#include "modal/bases/eigenmodes.h"
+#include "modal/contact/contact_shapes.h"
+#include "modal/methods/projection.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double finest = 0.5, grading = 0.35;  // [-] of the contact's radius; of the distance
+constexpr int points_per_cell_edge = 2;
+constexpr double reach = 0.7;  // [-] of the extent: what lies farther from all first touches never touches
+
+// Of the elastic modes at the evaluation points inside and on the surface, about half the weight to either.
+Regression polynomials(const BodyModel& mesh, const MatrixXd& Phi_at_points) {
+  const auto& [volume, surface, probes] = mesh.points;
+  Vector3d half = Vector3d::Zero();
+  for (const Quadrature* rule : {&volume, &surface}) half = half.cwiseMax(rule->points.cwiseAbs().rowwise().maxCoeff());
+  const Index n = volume.points.cols() + surface.points.cols();
+  VectorXd w(n);
+  w << volume.weights / volume.weights.sum(), surface.weights / surface.weights.sum();
+  return regress(Monomials(max_polynomial_degree, Vector3d::Zero(), half), mesh.points.all().leftCols(n), w,
+                 Phi_at_points.topRows(3 * n));
+}
+
+SurfaceSamples samples(const Body& body, const FullModel& full, const Meeting& meeting, const PolynomialBasis& Phi,
+                       const MatrixXd& Psi) {
+  const double l = extent(body.shape);
+  const Grading sizes{std::min(finest * meeting.size.radius, l / 8), l / 8, grading, points_per_cell_edge};
+  GradedRule rule = graded_rule(body.shape, {meeting.X}, sizes, reach * l);
+  MatrixXd at = Phi.at(rule.points), static_at(at.rows(), Psi.cols());
+  if (Psi.cols() > 0) static_at = full.displacement_at(rule.points) * Psi;
+  return {std::move(rule.points), std::move(rule.weights), std::move(at), std::move(static_at)};
+}
+
+}  // namespace
+
+FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static_contact) {
+  const Scene& scene = *model.scene;
+  const Body& body = scene.bodies.front();
+  const BodyModel& mesh = model.bodies.front();
+  const Touchdown down = touchdown(scene, body);
+  const bool free = body.supports.empty();
+  const Index n_first = free ? modes.n_rigid : 0, r = modes.size() - n_first;
+  const MatrixXd Phi = modes.Phi.rightCols(r);
+  const MatrixXd Psi =
+      static_contact ? contact_shapes(scene, mesh, modes, physical_shift(body), down) : MatrixXd(modes.Phi.rows(), 0);
+  const MassProperties inertia = mass_properties(body.shape, body.material.density);
+  FloatingBasis basis{model.scene,
+                      {free,
+                       inertia.mass,
+                       inertia.inertia,
+                       scene.gravity,
+                       {},
+                       VectorXd::Zero(r),
+                       Psi.transpose() * (mesh.full->system().K * Psi),
+                       {}},
+                      {body.pose.position, body.twist.velocity, body.pose.orientation, Vector3d::Zero(),
+                       VectorXd::Zero(r), VectorXd::Zero(r), VectorXd::Zero(Psi.cols())},
+                      polynomials(mesh, mesh.displacement * Phi),
+                      mesh.points.all(),
+                      mesh.displacement * Phi,
+                      mesh.strain * Phi,
+                      mesh.displacement * Psi,
+                      mesh.strain * Psi};
+  for (Index i = 0; i < r; ++i) {
+    const double omega = modes.omega[n_first + i], lambda = omega * omega;
+    const double c = lambda > 0 ? body.damping.alpha + body.damping.beta * lambda : 0;
+    basis.body.modes.push_back(roots({lambda, c}));
+  }
+  if (!free) basis.body.weight = Phi.transpose() * mesh.full->system().F.rowwise().sum();
+  const Eigen::Quaterniond& Q = body.pose.orientation;
+  basis.start.L = Q * (inertia.inertia * (Q.conjugate() * body.twist.angular_velocity));
+  for (const Meeting& meeting : down.meetings) {
+    const ContactPair& pair = scene.contacts[meeting.contact];
+    basis.body.contacts.push_back({samples(body, *mesh.full, meeting, basis.geometry.basis, Psi),
+                                   obstacle_of(scene, pair).surface, law_of(pair, meeting.size)});
+  }
+  return basis;
+}
+
+namespace {
+
+class PreparedFloating final : public Prepared {
+ public:
+  PreparedFloating(std::shared_ptr<const FloatingBasis> basis, ContactScheme scheme, double step)
+      : basis_(std::move(basis)),
+        plan_{basis_->body,
+              basis_->scene->bodies.front().shape,
+              basis_->geometry.basis,
+              shape_bounds(basis_->geometry.basis),
+              basis_->start,
+              scheme,
+              step} {}
+
+  Trajectory simulate(const Sampling& sampling) const override {
+    if (sampling.shutter != 0) throw std::invalid_argument("no exact means in contact");
+    const Index n_t = sampling.t.size(), r = plan_.body.n_modes(), n_s = plan_.body.n_static();
+    const ImpactMotion motion = impact_motion(plan_, sampling.t);
+    Trajectory answer{sampling.t, {}, motion.work, motion.status};
+    BodyTrajectory body;
+    body.contact = motion.contact;
+    if (sampling.reconstruct) {
+      MatrixXd q = MatrixXd::Zero(r, n_t), s = MatrixXd::Zero(n_s, n_t);
+      for (size_t k = 0; k < motion.states.size(); ++k) {
+        q.col(static_cast<Index>(k)) = motion.states[k].q;
+        s.col(static_cast<Index>(k)) = motion.states[k].s;
+      }
+      body.displacement.noalias() = basis_->displacement * q;
+      if (n_s > 0) body.displacement.noalias() += basis_->static_displacement * s;
+      for (size_t k = 0; k < motion.states.size(); ++k)
+        place(motion.states[k], body.displacement.col(static_cast<Index>(k)));
+      if (sampling.strain) {
+        body.strain = basis_->strain * q;
+        if (n_s > 0) body.strain.noalias() += basis_->static_strain * s;
+        body.energy = motion.energy;
+      }
+    }
+    answer.bodies.push_back(std::move(body));
+    return answer;
+  }
+
+  int modes_used() const override { return static_cast<int>(plan_.body.n_modes()); }
+  Index n_unknowns() const override { return (plan_.body.free ? 6 : 0) + plan_.body.n_modes() + plan_.body.n_static(); }
+
+ private:
+  // u in the body's axes becomes x - X, or is turned to the world's where the body is held.
+  void place(const BodyState& state, Eigen::Ref<VectorXd> u) const {
+    const Eigen::Matrix3d Q = state.Q.toRotationMatrix();
+    auto at = u.reshaped(3, basis_->points.cols());
+    if (plan_.body.free)
+      at = (Q * (basis_->points + at.matrix())).colwise() + state.c - basis_->points;
+    else
+      at = (Q * at.matrix()).eval();
+  }
+
+  std::shared_ptr<const FloatingBasis> basis_;
+  ImpactPlan plan_;
+};
+
+}  // namespace
+
+void answer_in_contact(Reduction& reduction, const Model& model, const Modes& modes, bool static_contact) {
+  if (model.scene->contacts.empty()) return;
+  if (model.bodies.size() != 1) throw std::invalid_argument("modes in contact: one body alone");
+  const auto basis = std::make_shared<const FloatingBasis>(floating_basis(model, modes, static_contact));
+  reduction.in_contact = [basis](const Integrator& integrator, const Settings& settings) {
+    return prepare_floating(basis, integrator, settings);
+  };
+}
+
+std::unique_ptr<Prepared> prepare_floating(std::shared_ptr<const FloatingBasis> basis, const Integrator& integrator,
+                                           const Settings& settings) {
+  const auto scheme = contact_scheme(integrator.name);
+  if (!scheme) throw std::invalid_argument("integrator '" + integrator.name + "' has no steps in contact for modes");
+  return std::make_unique<PreparedFloating>(std::move(basis), *scheme, settings.time_step);
+}
+
+}  // namespace mb

@@ -1,0 +1,55 @@
+// One body in its floating frame (Buckens): the frame moves so that the deformation carries no momentum,
+//
+//   x(X, t) = c + Q (X + Phi(X) q + Psi(X) s),    m c'' = sum f + m g,   L' = sum (x - c) x f,   L = Q J Q^T Omega
+//   q_i'' + c_i q_i' + lambda_i q_i = sum Phi_i^T Q^T f,      K_s s = sum Psi^T Q^T f   (static shapes, massless)
+//
+// Elastic modes are M-orthogonal to rigid motion, so that to first order in q nothing couples but through contact:
+// centrifugal and gyroscopic terms are left out. A body that supports hold has no rigid part: c and Q stand still, and
+// what rigid motion its supports leave is among its modes (lambda = 0).
+#pragma once
+
+#include <vector>
+
+#include "mechanics/contact/law.h"
+#include "mechanics/geometry/pose.h"
+#include "mechanics/system/oscillator.h"
+
+namespace mb {
+
+// Samples of the analytic surface, each with its share of the area, and the shapes there.
+struct SurfaceSamples {
+  Matrix3Xd X;   // [m] 3 x m, body frame
+  VectorXd w;    // [m^2] m, > 0
+  MatrixXd Phi;  // [kg^-1/2] 3 m x r: xyz of sample 0, of sample 1, ...
+  MatrixXd Psi;  // [m] 3 m x n_s
+};
+
+struct SampledContact {
+  SurfaceSamples samples;
+  RigidSurface surface;  // in the world
+  PenaltyLaw law;
+};
+
+struct FloatingBody {
+  bool free;                  // whether it has a rigid part
+  double mass;                // [kg]
+  Eigen::Matrix3d inertia;    // J [kg m^2] about the centroid, body frame
+  Vector3d gravity;           // [m/s^2] world
+  std::vector<Roots> modes;   // r
+  VectorXd weight;            // [N kg^-1/2] r: modal force of gravity, of a body that is held; 0 of a free one
+  MatrixXd static_stiffness;  // K_s [N/m] n_s x n_s, SPD
+  std::vector<SampledContact> contacts;
+
+  Index n_modes() const { return static_cast<Index>(modes.size()); }
+  Index n_static() const { return static_stiffness.rows(); }
+};
+
+struct BodyState {
+  Vector3d c, v;         // [m], [m/s] of the frame, world
+  Eigen::Quaterniond Q;  // of unit length
+  Vector3d L;            // [kg m^2/s] angular momentum about c, world
+  VectorXd q, p;         // [m kg^1/2], [m kg^1/2 / s] r: modes and their rates
+  VectorXd s;            // [-] n_s
+};
+
+}  // namespace mb

@@ -1,0 +1,106 @@
+#include "modal/contact/contact_pair.h"
+#include "modal/contact/reach.h"
+
+namespace mb {
+
+namespace {
+
+class GeneralPair final : public ContactPair {
+ public:
+  GeneralPair(const FloatingBody& body, const SampledContact& contact)
+      : body_(body),
+        contact_(contact),
+        reach_(contact),
+        Phi_(contact.samples.Phi.transpose()),
+        Psi_(contact.samples.Psi.transpose()),
+        largest_q_(largest_displacements(contact.samples.Phi)),
+        largest_s_(largest_displacements(contact.samples.Psi)),
+        x_(3, contact.samples.w.size()),
+        v_(3, contact.samples.w.size()) {}
+
+  void look(const BodyState& state, const Vector3d& Omega) override {
+    state_ = &state;
+    const double deformation = largest_q_.dot(state.q.cwiseAbs()) + 2 * largest_s_.dot(state.s.cwiseAbs());
+    n_ = reach_.n_reachable(state.c, state.Q, deformation);
+    const Eigen::Matrix3d Q = state.Q.toRotationMatrix();
+    for (Index k = 0; k < n_; ++k) {
+      const Index i = reach_[k];
+      const auto Phi = Phi_.middleCols(3 * i, 3);
+      const Vector3d r = Q * (contact_.samples.X.col(i) + Phi.transpose() * state.q);
+      x_.col(k) = state.c + r;
+      v_.col(k) = state.v + Omega.cross(r) + Q * (Phi.transpose() * state.p);
+    }
+  }
+
+  void push(const VectorXd& s, VectorXd& f_s, MatrixXd& H) override {
+    const Eigen::Matrix3d Q = state_->Q.toRotationMatrix();
+    for (Index k = 0; k < n_; ++k) {
+      const Index i = reach_[k];
+      const auto Psi = Psi_.middleCols(3 * i, 3);
+      const Vector3d x = x_.col(k) + Q * (Psi.transpose() * s);
+      if (!(gap_value(contact_.surface, x) < 0)) continue;
+      const Traction3 t = contact_traction(contact_.law, gap(contact_.surface, x), v_.col(k));
+      const double w = contact_.samples.w[i];
+      f_s.noalias() += w * (Psi * (Q.transpose() * t.t));
+      H.noalias() -= w * (Psi * (Q.transpose() * t.by_x * Q) * Psi.transpose());
+    }
+  }
+
+  void act(const VectorXd& s, ContactLoad& load) override {
+    const Eigen::Matrix3d Q = state_->Q.toRotationMatrix();
+    for (Index k = 0; k < n_; ++k) {
+      const Index i = reach_[k];
+      const Vector3d x = x_.col(k) + Q * (Psi_.middleCols(3 * i, 3).transpose() * s), v = v_.col(k);
+      const double value = gap_value(contact_.surface, x);
+      load.least_gap = std::min(load.least_gap, value);
+      if (!(value < 0)) continue;
+      const Gap at = gap(contact_.surface, x);
+      const double w = contact_.samples.w[i];
+      const Vector3d f = w * contact_traction(contact_.law, at, v).t;
+      load.force += f;
+      load.torque += (x - state_->c).cross(f);
+      load.modal.noalias() += Phi_.middleCols(3 * i, 3) * (Q.transpose() * f);
+      load.stored += w * stored_energy(contact_.law, value);
+      load.dissipation -= f.dot(v) + w * contact_.law.stiffness * value * at.normal.dot(v);
+    }
+    load.n_visited += n_;
+  }
+
+  void stiffen(const VectorXd& s, double rate, MatrixXd& K) override {
+    const Eigen::Matrix3d Q = state_->Q.toRotationMatrix();
+    const Index n_frame = body_.free ? 6 : 0, r = body_.n_modes();
+    MatrixXd G(3, K.rows());
+    for (Index k = 0; k < n_; ++k) {
+      const Index i = reach_[k];
+      const Vector3d x = x_.col(k) + Q * (Psi_.middleCols(3 * i, 3).transpose() * s);
+      if (!(gap_value(contact_.surface, x) < 0)) continue;
+      const Traction3 t = contact_traction(contact_.law, gap(contact_.surface, x), v_.col(k));
+      if (body_.free) {
+        const Vector3d lever = x - state_->c;
+        G.leftCols<3>().setIdentity();
+        G.middleCols<3>(3) << 0, lever.z(), -lever.y(), -lever.z(), 0, lever.x(), lever.y(), -lever.x(), 0;
+      }
+      G.middleCols(n_frame, r) = Q * Phi_.middleCols(3 * i, 3).transpose();
+      G.rightCols(s.size()) = Q * Psi_.middleCols(3 * i, 3).transpose();
+      K.noalias() -= contact_.samples.w[i] * G.transpose() * (t.by_x + rate * t.by_v) * G;
+    }
+  }
+
+ private:
+  const FloatingBody& body_;
+  const SampledContact& contact_;
+  Reach reach_;
+  MatrixXd Phi_, Psi_;  // r x 3 m, n_s x 3 m
+  VectorXd largest_q_, largest_s_;
+  Matrix3Xd x_, v_;  // of the samples in reach, in their order
+  Index n_ = 0;
+  const BodyState* state_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<ContactPair> general_pair(const FloatingBody& body, const SampledContact& contact) {
+  return std::make_unique<GeneralPair>(body, contact);
+}
+
+}  // namespace mb

@@ -1,0 +1,147 @@
+#include "modal/contact/impact_motion.h"
+
+#include <cmath>
+#include <limits>
+
+#include "modal/contact/body_flight.h"
+#include "modal/contact/next_touch.h"
+
+namespace mb {
+
+namespace {
+
+constexpr long max_steps = 20'000'000;
+constexpr int finite_every = 64;  // steps
+
+template <class T>
+T mean(const T& a, const T& b, double x) {
+  return (1 - x) * a + x * b;
+}
+// The cubic with both ends' values and rates, at fraction x of a step h.
+template <class T>
+T hermite(const T& a, const T& rate_a, const T& b, const T& rate_b, double h, double x) {
+  return (1 + 2 * x) * (1 - x) * (1 - x) * a + x * (1 - x) * (1 - x) * h * rate_a + x * x * (3 - 2 * x) * b +
+         x * x * (x - 1) * h * rate_b;
+}
+
+BodyState between(const BodyState& a, const BodyState& b, double h, double x) {
+  return {.c = hermite<Vector3d>(a.c, a.v, b.c, b.v, h, x),
+          .v = mean<Vector3d>(a.v, b.v, x),
+          .Q = a.Q.slerp(x, b.Q),
+          .L = mean<Vector3d>(a.L, b.L, x),
+          .q = hermite<VectorXd>(a.q, a.p, b.q, b.p, h, x),
+          .p = mean<VectorXd>(a.p, b.p, x),
+          .s = mean<VectorXd>(a.s, b.s, x)};
+}
+
+class Run {
+ public:
+  Run(const ImpactPlan& plan, const VectorXd& times)
+      : plan_(plan), times_(times), stepper_(plan.body, plan.scheme, plan.step) {
+    const Index n_t = times.size();
+    motion_.contact = {Matrix3Xd::Zero(3, n_t), Matrix3Xd::Zero(3, n_t), VectorXd::Zero(n_t), VectorXd::Zero(n_t), {}};
+    motion_.energy = VectorXd::Zero(n_t);
+    motion_.states.reserve(static_cast<size_t>(n_t));
+  }
+
+  ImpactMotion run() {
+    const double end = times_.size() > 0 ? times_[times_.size() - 1] : 0;
+    ContactState now{plan_.start, {}, Vector3d::Zero(), 0};
+    double t = 0;
+    for (bool leaving = false; more() && motion_.status == Status::ok; leaving = true) {
+      const BodyFlight flight(plan_.body, now.body, t);
+      const auto touch = next_touch(plan_, flight, end, leaving);
+      fly(flight, touch ? *touch : end, now);
+      if (!touch) break;
+      t = *touch;
+      now.body = flight.at(t);
+      motion_.work.load_evaluations += 1;
+      t = touch_and_go(t, now, end);
+    }
+    motion_.contact.touches = log_.touches();
+    motion_.work.load_evaluations += stepper_.n_evaluations();
+    return std::move(motion_);
+  }
+
+ private:
+  bool more() const { return static_cast<Index>(motion_.states.size()) < times_.size(); }
+  double next_time() const { return times_[static_cast<Index>(motion_.states.size())]; }
+
+  void record(BodyState body, const Vector3d& force, const ContactState& of, double stored, double energy) {
+    const auto k = static_cast<Index>(motion_.states.size());
+    motion_.contact.force.col(k) = force;
+    motion_.contact.impulse.col(k) = of.impulse;
+    motion_.contact.dissipated[k] = of.dissipated;
+    motion_.contact.stored[k] = stored;
+    motion_.energy[k] = energy;
+    motion_.states.push_back(std::move(body));
+  }
+
+  void fly(const BodyFlight& flight, double end, const ContactState& since) {
+    while (more() && next_time() <= end) {
+      BodyState body = flight.at(next_time());
+      ++motion_.work.load_evaluations;
+      const double energy = mechanical_energy(plan_.body, body);
+      record(std::move(body), Vector3d::Zero(), since, 0, energy);
+    }
+  }
+
+  void note(double t, const ContactState& state) {
+    log_.add({t, state.load.least_gap, state.load.force, state.impulse});
+  }
+
+  // Steps until the body lets go or the end is reached; the time it is then.
+  double touch_and_go(double start, ContactState& now, double end) {
+    stepper_.look(now);
+    note(start, now);
+    ContactState before;
+    double t = start;
+    bool opening = false;
+    for (long i = 0; t < end; ++i) {
+      before = now;
+      if (!stepper_.advance(now) || motion_.work.steps == max_steps) {
+        motion_.status = motion_.work.steps == max_steps ? Status::too_many_steps : Status::no_convergence;
+        return t;
+      }
+      ++motion_.work.steps;
+      if (i % finite_every == 0 && !std::isfinite(now.body.p.sum() + now.body.v.sum())) {
+        motion_.status = Status::not_finite;
+        return t;
+      }
+      const double t_before = t;
+      t = start + static_cast<double>(i + 1) * plan_.step;
+      note(t, now);
+      look_between(t_before, before, now);
+      // Apart and parting, seen twice: samples begin to press only a little after the surfaces meet.
+      const bool parting = now.load.least_gap >= 0 && !(now.load.least_gap < before.load.least_gap);
+      if (parting && opening) return t;
+      opening = parting;
+    }
+    return t;
+  }
+
+  void look_between(double t_before, const ContactState& a, const ContactState& b) {
+    while (more() && next_time() <= t_before + plan_.step) {
+      const double x = (next_time() - t_before) / plan_.step;
+      ContactState of = a;
+      of.impulse = mean<Vector3d>(a.impulse, b.impulse, x);
+      of.dissipated = mean(a.dissipated, b.dissipated, x);
+      const double energy_a = mechanical_energy(plan_.body, a.body) + a.load.stored,
+                   energy_b = mechanical_energy(plan_.body, b.body) + b.load.stored;
+      record(between(a.body, b.body, plan_.step, x), mean<Vector3d>(a.load.force, b.load.force, x), of,
+             mean(a.load.stored, b.load.stored, x), mean(energy_a, energy_b, x));
+    }
+  }
+
+  const ImpactPlan& plan_;
+  const VectorXd& times_;
+  ContactStepper stepper_;
+  TouchLog log_;
+  ImpactMotion motion_;
+};
+
+}  // namespace
+
+ImpactMotion impact_motion(const ImpactPlan& plan, const VectorXd& times) { return Run(plan, times).run(); }
+
+}  // namespace mb

@@ -1,0 +1,36 @@
+// The whole motion of a floating body among rigid obstacles: flight in closed form to the first touch of surfaces,
+// steps while it touches, flight again.
+//
+//   flight -- first_touch --> steps h from that very time -- no sample presses and the gap grows --> flight
+//
+// No step is taken in flight, and no contact is evaluated where bodies cannot meet.
+#pragma once
+
+#include "mechanics/system/system.h"
+#include "modal/contact/contact_step.h"
+#include "modal/contact/modal_bounds.h"
+
+namespace mb {
+
+struct ImpactPlan {
+  FloatingBody body;
+  Shape shape;               // whose surface touches
+  PolynomialBasis geometry;  // the elastic modes, r: what carries the surface in flight
+  ShapeBounds bounds;        // of these
+  BodyState start;           // at t = 0
+  ContactScheme scheme;
+  double step;  // h [s] > 0
+};
+
+struct ImpactMotion {
+  std::vector<BodyState> states;  // at the times asked for; valid ones
+  ContactHistory contact;         // at the same times
+  VectorXd energy;                // [J] mechanical and stored
+  Work work;                      // steps: in contact; load evaluations: of contact, in closed form or steps
+  Status status = Status::ok;
+};
+
+// times [s] ascending, >= 0.
+ImpactMotion impact_motion(const ImpactPlan& plan, const VectorXd& times);
+
+}  // namespace mb

@@ -1,0 +1,91 @@
+#include "modal/contact/next_touch.h"
+
+#include <limits>
+
+#include "mechanics/contact/first_touch.h"
+#include "mechanics/contact/first_touch_support.h"
+#include "modal/contact/contact_step.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double tolerance = 1e-12;  // [-] of the extent
+constexpr double depth = 0.05;       // [-] of the extent: how far a body that lets go may still overlap
+
+Eigen::Matrix3d cross_matrix(const Vector3d& w) {
+  Eigen::Matrix3d W;
+  W << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return W;
+}
+
+class FloatingMotion final : public BodyMotion {
+ public:
+  FloatingMotion(const ImpactPlan& plan, const BodyFlight& flight)
+      : plan_(plan), flight_(flight), start_(flight.at(flight.start())), circumradius_(circumradius(plan.shape)) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> moments(plan.body.inertia);
+    spin_up_ = plan.body.free ? moments.eigenvalues()[2] / moments.eigenvalues()[0] : 0;
+    spin_ = plan.body.free ? start_.L.norm() / moments.eigenvalues()[0] : 0;
+  }
+
+  void at(double t, std::span<const Vector3d> X, std::span<PointMotion> out) const override {
+    if (t != t_) look(t);
+    const Eigen::Matrix3d WQ = W_ * Q_;
+    for (size_t i = 0; i < X.size(); ++i) {
+      const auto u = deformation_->at(X[i]);
+      const auto rate = rate_->at(X[i]);
+      const Vector3d arm = Q_ * u.x;
+      out[i] = {state_.c + arm, state_.v + W_ * arm + Q_ * (rate.x - X[i]), Q_ * u.F,
+                WQ * u.F + Q_ * (rate.F - Eigen::Matrix3d::Identity())};
+    }
+  }
+
+  MotionBounds bounds(double ta, double tb) const override {
+    const ShapeBounds& shapes = plan_.bounds;
+    const AmplitudeBounds a = amplitude_bounds(plan_.body, start_.q, start_.p, std::max(tb, ta) - flight_.start());
+    const double u = a.q.dot(shapes.value), u_t = a.p.dot(shapes.value), u_tt = a.a.dot(shapes.value);
+    return {plan_.body.free ? plan_.body.gravity : Vector3d::Zero(),
+            (1 + spin_up_) * spin_ * spin_ * (circumradius_ + u) + 2 * spin_ * u_t + u_tt, a.q.dot(shapes.bend),
+            a.p.dot(shapes.bend) + spin_ * a.q.dot(shapes.bend)};
+  }
+
+ private:
+  void look(double t) const {
+    t_ = t;
+    state_ = flight_.at(t);
+    Q_ = state_.Q.toRotationMatrix();
+    W_ = cross_matrix(angular_velocity(plan_.body, state_));
+    deformation_.emplace(plan_.geometry.map(state_.q));
+    rate_.emplace(plan_.geometry.map(state_.p));
+  }
+
+  const ImpactPlan& plan_;
+  const BodyFlight& flight_;
+  BodyState start_;
+  double circumradius_, spin_up_, spin_;
+  mutable double t_ = std::numeric_limits<double>::quiet_NaN();
+  mutable BodyState state_;
+  mutable Eigen::Matrix3d Q_, W_;
+  mutable std::optional<PolynomialMap> deformation_, rate_;
+};
+
+}  // namespace
+
+std::optional<double> next_touch(const ImpactPlan& plan, const BodyFlight& flight, double end, bool leaving) {
+  if (!(end > flight.start())) return std::nullopt;
+  const double l = extent(plan.shape);
+  const FloatingMotion motion(plan, flight);
+  std::optional<double> earliest;
+  for (const SampledContact& contact : plan.body.contacts) {
+    const auto touch = first_touch(plan.shape, motion, contact.surface,
+                                   {.t0 = flight.start(),
+                                    .t1 = earliest.value_or(end),
+                                    .tolerance = tolerance * l,
+                                    .leaving = leaving,
+                                    .depth = leaving ? depth * l : tolerance * l});
+    if (touch) earliest = touch->t;
+  }
+  return earliest;
+}
+
+}  // namespace mb

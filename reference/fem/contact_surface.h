@@ -1,0 +1,18 @@
+// Points of the mesh's boundary that may touch an obstacle, by Gauss's rule on every face:
+//
+//   x_q = X_q + sum_a N_a(xi_q) u_a,   w_q = |dX/dxi| w,   f_a = sum_q w_q N_a t_q
+//
+// Linear momentum is handed over exactly, since the shape functions sum to one.
+#pragma once
+
+#include "mechanics/contact/contact.h"
+#include "reference/fem/discretisation.h"
+
+namespace mb::fem {
+
+// Every face that somewhere lies within `reach` [m] of the obstacle and looks at it: outward normal . obstacle's normal
+// below -0.1. p + 3 points a direction. surface: in the body's axes, as it stands at the first touch. U has
+// discretisation n_dofs columns. Throws std::invalid_argument where there is no such face.
+ContactPoints contact_points(const Discretisation& d, const RigidSurface& surface, double reach);
+
+}  // namespace mb::fem

@@ -1,0 +1,145 @@
+#include "reference/impact.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "cases/contract/linear.h"
+#include "cases/contract/touchdown.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double reach = 0.35;  // [-] of the body's extent: faces farther from an obstacle never touch it
+
+class PreparedImpact final : public Prepared {
+ public:
+  PreparedImpact(const Model& model, const Integrator& integrator, const Settings& settings)
+      : scene_(model.scene),
+        body_(scene_->bodies.at(0)),
+        points_(model.bodies.at(0).points.all()),
+        displacement_{model.bodies[0].displacement, {}},
+        strain_{model.bodies[0].strain, {}},
+        full_(model.bodies[0].full),
+        touchdown_(touchdown(*scene_, body_)),
+        system_(full_->system()) {
+    if (!body_.twist.angular_velocity.isZero(0))
+      throw std::invalid_argument("body '" + body_.name + "' spins: full order in contact has small rotations only");
+    if (!integrator.prepare_in_contact)
+      throw std::invalid_argument("integrator '" + integrator.name + "' has no steps for full order in contact");
+    free_ = body_.supports.empty();
+    start_ = std::min(touchdown_.t, scene_->duration);
+    velocity_ = to_axes(body_.twist.velocity);
+    gravity_ = to_axes(scene_->gravity);
+    if (free_) system_.v0 = full_->translation(velocity_ + start_ * gravity_);
+    for (const Meeting& meeting : touchdown_.meetings) contacts_.push_back(contact(meeting));
+    if (touchdown_.t < scene_->duration)
+      stepper_ = integrator.prepare_in_contact(system_, contacts_, settings, scene_->duration - start_);
+  }
+
+  Trajectory simulate(const Sampling& sampling) const override {
+    if (sampling.shutter != 0) throw std::invalid_argument("no exact means in contact");
+    const VectorXd& t = sampling.t;
+    Index n_before = 0;
+    while (n_before < t.size() && (t[n_before] < start_ || !stepper_)) ++n_before;
+    Trajectory answer{t, {}, {}, Status::ok};
+    States states;
+    if (stepper_) states = stepper_->run(t.tail(t.size() - n_before).array() - start_);
+    answer.work = states.work;
+    answer.status = states.status;
+    BodyTrajectory body;
+    body.contact = whole(states.contact, n_before, t.size());
+    if (sampling.reconstruct) {
+      MatrixXd u = MatrixXd::Zero(system_.u0.size(), t.size());
+      if (stepper_) u.rightCols(states.u.cols()) = states.u;
+      body.displacement = observe(displacement_, u, {});
+      place(body.displacement, t);
+      if (sampling.strain) {
+        body.strain = observe(strain_, u, {});
+        body.energy = energy(states, body.contact, n_before);
+      }
+    }
+    answer.bodies.push_back(std::move(body));
+    return answer;
+  }
+
+  Index n_unknowns() const override { return system_.u0.size(); }
+
+ private:
+  Vector3d to_axes(const Vector3d& world) const { return body_.pose.orientation.conjugate() * world; }
+  Vector3d flown(double t) const { return free_ ? Vector3d(t * velocity_ + t * t / 2 * gravity_) : Vector3d::Zero(); }
+
+  Contact contact(const Meeting& meeting) const {
+    const ContactPair& pair = scene_->contacts[meeting.contact];
+    const Pose frame{body_.pose.to_world(flown(start_)), body_.pose.orientation};
+    const RigidSurface seen = seen_from(frame, obstacle_of(*scene_, pair).surface);
+    return {full_->contact_points(seen, reach * extent(body_.shape)),
+            seen,
+            law_of(pair, meeting.size),
+            {meeting.size.approach, meeting.size.speed}};
+  }
+
+  // From displacements in the body's axes to x - X; of a body that is held, to the world's axes alone.
+  void place(MatrixXd& values, const VectorXd& t) const {
+    const Eigen::Matrix3d Q = body_.pose.orientation.toRotationMatrix();
+    for (Index k = 0; k < t.size(); ++k) {
+      const Vector3d d = flown(std::min(t[k], start_));
+      for (Index i = 0; i < points_.cols(); ++i) {
+        auto u = values.col(k).segment<3>(3 * i);
+        u = free_ ? Vector3d(body_.pose.position + Q * (points_.col(i) + d + u) - points_.col(i)) : Vector3d(Q * u);
+      }
+    }
+  }
+
+  ContactHistory whole(const ContactHistory& from, Index n_before, Index n_t) const {
+    ContactHistory all{Matrix3Xd::Zero(3, n_t), Matrix3Xd::Zero(3, n_t), VectorXd::Zero(n_t), VectorXd::Zero(n_t),
+                       from.touches};
+    const Eigen::Matrix3d Q = body_.pose.orientation.toRotationMatrix();
+    for (Touch& touch : all.touches) {
+      touch.start += start_, touch.end += start_, touch.peak_time += start_;
+      touch.impulse = Q * touch.impulse;
+    }
+    if (n_before == n_t) return all;
+    all.force.rightCols(n_t - n_before) = Q * from.force;
+    all.impulse.rightCols(n_t - n_before) = Q * from.impulse;
+    all.stored.tail(n_t - n_before) = from.stored;
+    all.dissipated.tail(n_t - n_before) = from.dissipated;
+    return all;
+  }
+
+  VectorXd energy(const States& states, const ContactHistory& contact, Index n_before) const {
+    VectorXd E = VectorXd::Constant(contact.stored.size(), kinetic_energy(system_, full_system_velocity()));
+    const VectorXd weight =
+        free_ ? VectorXd(system_.M * full_->translation(gravity_)) : VectorXd(system_.F.rowwise().sum());
+    const double mass =
+        free_ ? full_->translation(Vector3d::UnitX()).dot(system_.M * full_->translation(Vector3d::UnitX())) : 0;
+    for (Index k = 0; k < states.u.cols(); ++k)
+      E[n_before + k] = kinetic_energy(system_, states.v.col(k)) + strain_energy(system_, states.u.col(k)) -
+                        weight.dot(states.u.col(k)) - mass * gravity_.dot(flown(start_)) + contact.stored[n_before + k];
+    return E;
+  }
+  // Before the first touch the energy is that at t = 0.
+  VectorXd full_system_velocity() const { return full_->system().v0; }
+
+  std::shared_ptr<const Scene> scene_;
+  const Body& body_;
+  Matrix3Xd points_;
+  Observation displacement_, strain_;
+  std::shared_ptr<const FullModel> full_;
+  Touchdown touchdown_;
+  System system_;
+  bool free_;
+  double start_;                 // [s] of the first touch, at most the duration
+  Vector3d velocity_, gravity_;  // in the body's axes
+  std::vector<Contact> contacts_;
+  std::unique_ptr<Stepper> stepper_;  // none: nothing is touched
+};
+
+}  // namespace
+
+std::unique_ptr<Prepared> prepare_impact(const Model& model, const Integrator& integrator, const Settings& settings) {
+  if (model.bodies.size() != 1) throw std::invalid_argument("full order in contact: one body alone");
+  return std::make_unique<PreparedImpact>(model, integrator, settings);
+}
+
+}  // namespace mb

@@ -1,0 +1,117 @@
+// ARKODE on one system, with contact or without:
+//
+//   y = (u, v),        u' = v,   M v' = F s - C v - K u + f_contact(u, v)
+//   y = (u, v, J, D)   with contact: impulse J' = sum f [N s] and losses D' [J], by the quadrature of the scheme itself
+//
+// Per stage (M + gamma C + gamma^2 K) v = ...: one SPD factor a gamma; contact is condensed onto the unknowns it acts
+// on (mechanics/contact/contact_stage.h). Included only within reference/sundials (SUNDIALS' door).
+#pragma once
+
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_nonlinearsolver.h>
+
+#include "mechanics/contact/contact_stage.h"
+#include "mechanics/system/shifted.h"
+#include "mechanics/system/symmetric_product.h"
+#include "mechanics/system/unbalanced_force.h"
+
+namespace mb::ark {
+
+using Vector = Eigen::Map<VectorXd>;
+inline constexpr Index n_quadratures = 4;  // J, D
+
+// Largest changes of the motion, by which errors are weighed: both > 0.
+struct Scales {
+  double displacement, velocity;
+};  // [m], [m/s]
+
+// Tolerances: of displacement and velocity tolerance * scale, and with `relative` also that part of their own size.
+struct Accuracy {
+  double tolerance;  // [-]
+  Scales scales;
+  bool relative;
+  double longest_step;  // [s]
+};
+
+struct ContactPart {
+  ContactPart(const std::vector<Contact>& contacts, Index n) : forces(contacts), stage(forces, n) {}
+  ContactForces forces;
+  ContactStage stage;
+};
+
+// The parts that last: made once, used by every run.
+struct Parts {
+  Parts(const System& system, double gamma, const std::vector<Contact>& contacts);
+  UnbalancedForce force;
+  SpdFactor mass;
+  SymmetricProduct M;
+  Shifted A;                             // M + gamma C + gamma^2 K
+  std::unique_ptr<ContactPart> contact;  // or none
+};
+
+// What one run needs at every callback. ARKODE sees it as user data and as the stage solver's content.
+struct Problem {
+  Problem(Index n_, Parts& parts_) : parts(parts_), n(n_), b(n_), u(n_), v(n_) {}
+  Index size() const { return 2 * n + (parts.contact ? n_quadratures : 0); }
+  double load_time(double t) const { return std::min(t, std::nextafter(before, 0.0)); }
+  ContactSum contact_at(const VectorXd& u_, const VectorXd& v_, VectorXd& f_C) const;
+
+  Parts& parts;
+  Index n;
+  VectorXd b, u, v, f;
+  void* arkode = nullptr;
+  double before = 0;     // [s] next breakpoint: loads are taken from its left
+  double tolerance = 0;  // [m/s] of contact stages
+  Work work;
+};
+
+struct Free {
+  void operator()(SUNContext c) const { SUNContext_Free(&c); }
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+  void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFreeEmpty(s); }
+};
+template <class T>
+using Owned = std::unique_ptr<std::remove_pointer_t<T>, Free>;
+struct FreeArkode {
+  void operator()(void* arkode) const;
+};
+
+// Where a step has to end.
+struct Stop {
+  double t;   // [s]
+  bool jump;  // a load has another value from here on
+};
+
+// Owns every SUNDIALS object of one run.
+class Run {
+ public:
+  Run(const System& system, Parts& parts, const Accuracy& accuracy);
+
+  // Integrates to t, at most to `next`: a negative flag where it fails. Past a stop at which loads jump ARKODE starts
+  // anew.
+  int advance(double t, const Stop& next);
+  // One step, at most to t; it may end earlier, also where the least gap passes zero. `reached` is set.
+  int step(double t, double& reached);
+  // State at a time within the last step.
+  void look_at(double t);
+
+  Vector displacement() { return {NV_DATA_S(y_.get()), problem_.n}; }  // of the last advance, step or look
+  Vector velocity() { return {NV_DATA_S(y_.get()) + problem_.n, problem_.n}; }
+  Vector quadratures() { return {NV_DATA_S(y_.get()) + 2 * problem_.n, problem_.parts.contact ? n_quadratures : 0}; }
+  ContactSum contact();
+  Work work() const;
+
+ private:
+  void configure(const Accuracy& accuracy, SUNContext context);
+
+  Problem problem_;
+  bool jumped_ = false;  // at the stop behind
+  Owned<SUNContext> context_;
+  Owned<N_Vector> y_, tolerance_;
+  Owned<SUNNonlinearSolver> stage_solver_;
+  std::unique_ptr<void, FreeArkode> arkode_;
+};
+
+Status status_of(int flag);
+
+}  // namespace mb::ark
