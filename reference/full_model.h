@@ -3,6 +3,9 @@
 //
 //   u_full = T u,   M = T^T M_full T,   K = T^T K_full T,   F = T^T F_full
 //
+// and so the lumped mass, T^T m_full T: positive definite for positive m_full whatever the weights in T, but diagonal
+// only where no nodes hang.
+//
 // With driven supports u is relative to the moving base, on which all supports of the body ride: F has one more column,
 // after the scene's loads, -T^T M_full r with r the rigid translation along the drive at all nodes, and s its
 // acceleration.

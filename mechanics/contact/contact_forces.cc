@@ -67,7 +67,7 @@ ContactForces::ContactForces(const std::vector<Contact>& contacts) {
 }
 
 void ContactForces::flat_tractions(const Part& part, ContactSum& sum, bool with_tangent) {
-  const auto& [stiffness, damping, friction] = part.contact->law;
+  const PenaltyLaw& law = part.contact->law;
   const VectorXd& w = part.contact->points.w;
   double force = 0;
   for (Index i = 0; i < w.size(); ++i) {
@@ -75,20 +75,20 @@ void ContactForces::flat_tractions(const Part& part, ContactSum& sum, bool with_
     sum.least_gap = std::min(sum.least_gap, gap);
     part.t[i] = 0;
     if (!(gap < 0)) continue;
-    const double damped = 1 - damping * part.rate[i];
-    sum.stored += w[i] * stored_energy(part.contact->law, gap);
+    const double damped = 1 - law.damping * part.rate[i];
+    const auto [elastic, by_gap] = layer(law, gap);
+    sum.stored += w[i] * stored_energy(law, gap);
     if (!(damped > 0)) {  // leaves faster than the layer follows: what it holds is lost
-      sum.dissipation -= w[i] * stiffness * gap * part.rate[i];
+      sum.dissipation += w[i] * elastic * part.rate[i];
       continue;
     }
-    const double pressure = -stiffness * gap * damped;
-    part.t[i] = w[i] * pressure;
+    part.t[i] = w[i] * elastic * damped;
     force += part.t[i];
-    sum.dissipation += -w[i] * stiffness * gap * damping * part.rate[i] * part.rate[i];
+    sum.dissipation += w[i] * elastic * law.damping * part.rate[i] * part.rate[i];
     if (!with_tangent) continue;
     part.touching.push_back(i);
-    part.by_x.emplace_back(Eigen::Matrix3d::Constant(-w[i] * stiffness * damped));
-    part.by_v.emplace_back(Eigen::Matrix3d::Constant(w[i] * stiffness * gap * damping));
+    part.by_x.emplace_back(Eigen::Matrix3d::Constant(w[i] * by_gap * damped));
+    part.by_v.emplace_back(Eigen::Matrix3d::Constant(-w[i] * elastic * law.damping));
   }
   sum.force += force * part.normal;
 }
@@ -106,7 +106,7 @@ void ContactForces::tractions(const Part& part, ContactSum& sum, bool with_tange
     part.t.segment<3>(3 * i) = w[i] * t.t;
     sum.force += w[i] * t.t;
     sum.stored += w[i] * stored_energy(part.contact->law, value);
-    sum.dissipation -= w[i] * (t.t.dot(v) + part.contact->law.stiffness * value * at.normal.dot(v));
+    sum.dissipation -= w[i] * (t.t.dot(v) - layer(part.contact->law, value).pressure * at.normal.dot(v));
     if (!with_tangent) continue;
     part.touching.push_back(i);
     part.by_x.push_back(w[i] * t.by_x);

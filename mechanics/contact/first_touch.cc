@@ -80,7 +80,7 @@ void March::give_up(double t) const {
 }
 
 std::optional<FirstTouch> March::touch_at(double t) {
-  const auto touch = touch_instant(descent_, {t, near_}, before_, search_.t1, tolerance(near_, t),
+  const auto touch = touch_instant(descent_, {t, near_}, search_.t0, before_, search_.t1, tolerance(near_, t),
                                    circumradius(surface_.shape()));
   if (!touch) return std::nullopt;
   return answer(touch->kind, touch->instant.t, touch->instant.near, t);

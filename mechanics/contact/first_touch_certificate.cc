@@ -45,9 +45,12 @@ class Bound {
   double of_point(double dt) const { return gap_ + dt * (rate_ - 0.5 * curving_ * dt); }  // C alone
   double bending(double dt) const { return bend_ + bend_rate_ * dt; }
   double operator()(double dt, Rest rest) const {
-    const Vector3d w = w_ + dt * w_rate_, e = remaining(w, rest);
-    const double over_body = rest == Rest::tangent ? 0 : (w - e).dot(support_point(shape_, e - w) - cell_.X);
-    return of_point(dt) - bending(dt) + over_body - e.norm() * cell_.radius;
+    const Vector3d w = w_ + dt * w_rate_;
+    const double of_cell = of_point(dt) - bending(dt);
+    if (rest == Rest::tangent)  // the support point of -(w - e) is C, where w points inwards
+      return of_cell - (w - std::min(0.0, w.dot(cell_.normal)) * cell_.normal).norm() * cell_.radius;
+    const Vector3d e = remaining(w, rest);
+    return of_cell - e.norm() * cell_.radius + (w - e).dot(support_point(shape_, e - w) - cell_.X);
   }
 
   bool proves(double level, double dt) const {
@@ -61,14 +64,13 @@ class Bound {
     return motion.F.transpose().partialPivLu().solve(w_ - remaining(w_, rest)).normalized();
   }
 
-  // The same where n may only turn as the obstacle's normal does, which keeps it across the obstacle's edges: along the
-  // direction of the greatest curvature, until e has no part along that.
-  Vector3d turned(const PointMotion& motion, const Gap& own) const {
+  // The same where n may only turn as the obstacle's normal does, along the direction of its greatest curvature: that
+  // keeps it across the obstacle's edges.
+  Vector3d turned(const PointMotion& motion, const Gap& own, Rest rest) const {
     Index steepest;
     own.hessian.colwise().squaredNorm().maxCoeff(&steepest);
-    const Vector3d q = own.hessian.col(steepest).normalized(), along = motion.F.transpose() * q;
-    const Vector3d tangent = along - along.dot(cell_.normal) * cell_.normal;
-    return (own.normal - q * (w_.dot(tangent) / along.dot(tangent))).normalized();
+    const Vector3d q = own.hessian.col(steepest).normalized(), along = remaining(motion.F.transpose() * q, rest);
+    return (own.normal - q * (w_.dot(along) / along.squaredNorm())).normalized();
   }
 
   // The time until C alone may be at the level: root of of_point, without cancellation.
@@ -82,7 +84,7 @@ class Bound {
  private:
   Vector3d remaining(const Vector3d& w, Rest rest) const {
     if (rest == Rest::nothing) return Vector3d::Zero();
-    if (rest == Rest::tangent) return w - std::min(0.0, w.dot(cell_.normal)) * cell_.normal;
+    if (rest == Rest::tangent) return w - w.dot(cell_.normal) * cell_.normal;
     const Vector3d tangent = cell_.tangents.col(rest == Rest::along_s ? 0 : 1);
     return w.dot(tangent) * tangent;
   }
@@ -117,7 +119,7 @@ double last_above(const Function& G, double level, double horizon) {
 // A cell not proved yet, and the planes that may do it.
 struct Open {
   size_t place;  // in its level
-  std::array<Plane, 6> planes;
+  std::array<Plane, 8> planes;
   size_t n_planes;
 };
 
@@ -192,12 +194,11 @@ int Prover::look(const Plane& plane) {
     Open open{i, {plane, Plane{own.normal, motions_[i].x, own.value}}, 2};
     const Bound with_own = bound(open.planes[1], i);
     dt_ = std::min(dt_, part * with_own.time_of_point(now_.level));
-    for (const Vector3d& n :
-         {with_nearest.adapted(motions_[i], Rest::tangent), with_nearest.adapted(motions_[i], Rest::along_s),
-          with_nearest.adapted(motions_[i], Rest::along_t), with_own.turned(motions_[i], own)}) {
-      if (!n.allFinite()) continue;
-      if (const auto point = support_point(obstacle_, n)) open.planes[open.n_planes++] = {n, *point, 0};
-    }
+    for (const Rest rest : {Rest::tangent, Rest::along_s, Rest::along_t})
+      for (const Vector3d& n : {with_nearest.adapted(motions_[i], rest), with_own.turned(motions_[i], own, rest)}) {
+        if (!n.allFinite()) continue;
+        if (const auto point = support_point(obstacle_, n)) open.planes[open.n_planes++] = {n, *point, 0};
+      }
     open_.push_back(open);
   }
   return lower;

@@ -12,9 +12,11 @@ namespace mb {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double h = 1e-5;      // of differences: Newton then gains five digits a step
 constexpr int max_steps = 100;  // halvings near sharp edges of the obstacle; smooth pairs take three to six
+constexpr double converged = 1e-8;
 constexpr int max_crossings = 16;
 constexpr int max_supports = 20;
 
@@ -54,13 +56,18 @@ Eigen::Vector2d projected_newton(const PatchPoint& p, const Eigen::Vector2d& slo
         step[a] = std::min(1.0, std::max(-1.0, step[a]));
       }
   } while (stop(step, -1));
-  double fraction = 1;
+  // The parameter that leaves the patch first stops at its border, the other goes its own way.
   const Eigen::Vector2d z(p.s, p.t);
-  for (int a = 0; a < 2; ++a) {
-    if (z[a] + step[a] > 1) fraction = std::min(fraction, (1 - z[a]) / step[a]);
-    if (z[a] + step[a] < 0) fraction = std::min(fraction, -z[a] / step[a]);
+  const auto room = [&](int a) { return (step[a] > 0 ? 1 - z[a] : -z[a]); };
+  const auto share = [&](int a) { return step[a] == 0 ? infinity : room(a) / step[a]; };
+  const int first = share(0) < share(1) ? 0 : 1, other = 1 - first;
+  if (share(first) < 1) {
+    step[first] = room(first);
+    if (step[other] != 0)
+      step[other] = -(slope[other] + bend(0, 1) * step[first]) / std::max(std::abs(bend(other, other)), least_bend);
   }
-  return fraction * step;
+  if (share(other) < 1) step[other] = room(other);
+  return step;
 }
 
 // Onto the border where a step was to end there.
@@ -179,7 +186,7 @@ NearPoint Descent::with_normal(NearPoint p, const Model& m, const Eigen::Vector2
 }
 
 NearPoint Descent::nearest(const PatchPoint& start, double t) const {
-  return nearest(start, t, std::numeric_limits<double>::infinity(), 0);
+  return nearest(start, t, infinity, 0);
 }
 
 std::optional<NearPoint> Descent::by_support(const NearPoint& p, double t) const {
@@ -201,7 +208,7 @@ NearPoint Descent::nearest(const PatchPoint& start, double t, double level, doub
 }
 
 NearPoint Descent::newton(NearPoint p, double t, double level, double tolerance) const {
-  double before = std::numeric_limits<double>::infinity();  // what the last step promised
+  double least = infinity;  // of what steps promised
   for (int i = 0, crossings = 0; i < max_steps; ++i) {
     const Model m = model(p, t);
     if (crossings < max_crossings)
@@ -212,7 +219,7 @@ NearPoint Descent::newton(NearPoint p, double t, double level, double tolerance)
     const double least_bend = 1e-12 * m.steepness * m.size.maxCoeff();
     const Eigen::Vector2d step = projected_newton(p.at, m.slope, m.bend, least_bend);
     const double promise = -0.5 * m.slope.dot(step), rounding = 8 * eps * (p.motion.x.norm() + p.X.norm());
-    if (!(promise > 1e-3 * std::max(tolerance, p.gap.value - level))) return with_normal(p, m, step);
+    if (!(promise > converged * std::max(tolerance, p.gap.value - level))) return with_normal(p, m, step);
     if (promise > rounding) {
       const auto q = lower(p, m, step, t);
       if (!q) return with_normal(p, m, step);
@@ -220,10 +227,10 @@ NearPoint Descent::newton(NearPoint p, double t, double level, double tolerance)
     } else {
       // Rounding hides the descent, but not the slope: on while Newton's steps shrink.
       const NearPoint q = at({p.at.patch, clamped(p.at.s + step[0]), clamped(p.at.t + step[1])}, t);
-      if (!(promise < 0.25 * before && q.gap.value <= p.gap.value + rounding)) return with_normal(p, m, step);
+      if (!(promise < 0.25 * least && q.gap.value <= p.gap.value + rounding)) return with_normal(p, m, step);
       p = q;
     }
-    before = promise;
+    least = std::min(least, promise);
   }
   return p;
 }

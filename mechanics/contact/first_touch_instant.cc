@@ -10,6 +10,9 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
+// Of m, by the normal that is carried on.
+double slope(const Instant& now) { return now.near.normal.dot(now.near.motion.v); }
+
 class Course {
  public:
   explicit Course(const Descent& descent) : descent_(descent) {}
@@ -33,27 +36,31 @@ class Course {
     return best;
   }
 
-  // A root of m from just before it: where the obstacle has edges the nearest point of a gap near 0 is blurred by
-  // rounding, and m has a kink; but the plane between body and obstacle (the gap it leaves has the values and slopes of
-  // m) has a direction still. By the parabola through its gaps at 1 and 1/2 of a hundred millionth of the body's size.
-  Instant sharpened(const Instant& root, double size, double tolerance) const {
-    const double rate = root.near.normal.dot(root.near.motion.v), span = 1e-8 * size / -rate;
-    if (!(rate < 0)) return root;
-    const Instant one = at(root.t - span, root), two = at(root.t - 0.5 * span, one);
-    const double slope1 = one.near.normal.dot(one.near.motion.v), slope2 = two.near.normal.dot(two.near.motion.v);
-    if (!(slope2 < 0 && slope1 < 0.5 * slope2 && slope1 > 2 * slope2)) return root;
-    const double gap = descent_.plane_gap(two.near), bend = (slope2 - slope1) / (two.t - one.t);
-    const double s = 2 * gap / (-slope2 + std::sqrt(std::max(0.0, slope2 * slope2 - 2 * bend * gap)));
-    Instant sharp{two.t + s, two.near};
-    PatchPoint& point = sharp.near.at;
+  // The root after a steep descent, from before it: where both have edges the nearest point of a gap near 0 is blurred
+  // by rounding, and m has a kink. But the plane between body and obstacle keeps a direction, and the gap that it leaves
+  // has the values and slopes of m: a parabola through two of them, at a hundred millionth of the body's size.
+  // Nothing where the descent is not steep enough for that (grazing).
+  std::optional<Instant> steep_root(const Instant& front, double t0, double t1, double size, double tolerance) const {
+    const double rate = slope(front), gap = descent_.plane_gap(front.near);
+    if (!(rate < 0)) return std::nullopt;
+    const double guess = front.t - gap / rate, span = std::max(1e-8 * size, 2 * gap) / -rate;
+    if (!(guess - span >= t0 && guess - 0.5 * span < guess)) return std::nullopt;
+    const Instant one = at(guess - span, front), two = at(guess - 0.5 * span, one);
+    const double s1 = slope(one), s2 = slope(two), rest = descent_.plane_gap(two.near);
+    if (!(s2 < 0 && s1 < 0.5 * s2 && s1 > 2 * s2 && rest > 0)) return std::nullopt;
+    const double bend = (s2 - s1) / (two.t - one.t), under = s2 * s2 - 2 * bend * rest;
+    if (!(under > 0)) return std::nullopt;
+    Instant root{two.t + 2 * rest / (std::sqrt(under) - s2), two.near};
+    if (!(root.t <= t1)) return std::nullopt;
+    PatchPoint& point = root.near.at;
     if (const PatchPoint& p = one.near.at; p.patch == point.patch) {
-      const double on = s / (two.t - one.t);
-      point.s = std::min(1.0, std::max(0.0, point.s + on * (point.s - p.s)));
-      point.t = std::min(1.0, std::max(0.0, point.t + on * (point.t - p.t)));
+      const double on = (root.t - two.t) / (two.t - one.t);
+      point.s = std::clamp(point.s + on * (point.s - p.s), 0.0, 1.0);
+      point.t = std::clamp(point.t + on * (point.t - p.t), 0.0, 1.0);
     }
-    sharp.near = descent_.at(point, sharp.t);
-    sharp.near.normal = two.near.normal;
-    return std::abs(sharp.t - root.t) <= -4 * tolerance / slope2 && std::abs(sharp.gap()) <= tolerance ? sharp : root;
+    root.near = descent_.at(point, root.t);
+    root.near.normal = two.near.normal;
+    return std::abs(root.gap()) <= tolerance ? std::optional(root) : std::nullopt;
   }
 
   // m'(a) < 0 <= m'(b): the false position (Illinois) on m'.
@@ -84,15 +91,16 @@ class Course {
 
 }  // namespace
 
-std::optional<TouchInstant> touch_instant(const Descent& descent, const Instant& front, double before, double t1,
+std::optional<TouchInstant> touch_instant(const Descent& descent, const Instant& front, double t0, double before, double t1,
                                           double tolerance, double size) {
   const Course m(descent);
+  if (auto root = m.steep_root(front, t0, t1, size, tolerance)) return TouchInstant{FirstTouch::hit, *root};
   const Instant a = m.at(front.t, front);
   const auto graze = [&](const Instant& low) {
     return low.gap() <= tolerance ? std::optional<TouchInstant>({FirstTouch::grazing, low}) : std::nullopt;
   };
   const auto hit = [&](const Instant& low) {
-    return TouchInstant{FirstTouch::hit, a.gap() > 0 ? m.sharpened(m.root(a, low), size, tolerance) : a};
+    return TouchInstant{FirstTouch::hit, a.gap() > 0 ? m.root(a, low) : a};
   };
   if (a.rate() >= 0) {
     if (!(before < a.t)) return graze(a);

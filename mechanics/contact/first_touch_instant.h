@@ -19,8 +19,8 @@ struct TouchInstant {
 };
 
 // What becomes of a surface that at `front` has come to the tolerance [m], up to t1 [s]; since `before` [s] it was
-// clear. Nothing where it turns above the tolerance. size [m]: of the body.
-std::optional<TouchInstant> touch_instant(const Descent& descent, const Instant& front, double before, double t1,
+// clear; the motion is asked for in [t0, t1]. Nothing where it turns above the tolerance. size [m]: of the body.
+std::optional<TouchInstant> touch_instant(const Descent& descent, const Instant& front, double t0, double before, double t1,
                                           double tolerance, double size);
 
 }  // namespace mb

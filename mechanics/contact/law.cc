@@ -31,17 +31,27 @@ Traction3 contact_traction(const PenaltyLaw& law, const Gap& gap, const Vector3d
   if (!(g > 0)) return out;
   const double rate = -gap.normal.dot(v), damped = 1 + law.damping * rate;
   if (!(damped > 0)) return out;
-  const double k = law.stiffness;
-  out.pressure = k * g * damped;
+  const auto [elastic, by_gap] = layer(law, gap.value);
+  out.pressure = elastic * damped;
   out.t = out.pressure * gap.normal;
-  const Vector3d pressure_by_x = -k * damped * gap.normal - k * g * law.damping * (gap.hessian * v);
-  const Vector3d pressure_by_v = -k * g * law.damping * gap.normal;
+  const Vector3d pressure_by_x = by_gap * damped * gap.normal - elastic * law.damping * (gap.hessian * v);
+  const Vector3d pressure_by_v = -elastic * law.damping * gap.normal;
   out.by_x = gap.normal * pressure_by_x.transpose() + out.pressure * gap.hessian;
   out.by_v = gap.normal * pressure_by_v.transpose();
   if (law.friction) add_friction(out, *law.friction, gap, v, pressure_by_x, pressure_by_v);
   return out;
 }
 
-double stored_energy(const PenaltyLaw& law, double gap) { return gap < 0 ? 0.5 * law.stiffness * gap * gap : 0; }
+Layer layer(const PenaltyLaw& law, double gap) {
+  if (!(gap < 0)) return {0, 0};
+  if (law.exponent == 1) return {-law.stiffness * gap, -law.stiffness};
+  const double power = law.stiffness * std::pow(-gap, law.exponent - 1);
+  return {-power * gap, -law.exponent * power};
+}
+
+double stored_energy(const PenaltyLaw& law, double gap) {
+  if (!(gap < 0)) return 0;
+  return -layer(law, gap).pressure * gap / (law.exponent + 1);
+}
 
 }  // namespace mb

@@ -14,7 +14,8 @@ Gap sphere_gap(double R, const Vector3d& x) {
   return {x.norm() - R, n, (Eigen::Matrix3d::Identity() - n * n.transpose()) / x.norm()};
 }
 
-const PenaltyLaw plain{2e9, 0, {}}, damped{2e9, 0.3, {}}, rough{2e9, 0.3, Friction{0.4, 0.05}};
+const PenaltyLaw plain{2e9, 0, {}}, damped{2e9, 0.3, {}}, rough{2e9, 0.3, Friction{0.4, 0.05}},
+    hertz{2e9, 0.3, {}, 1.5};
 const Vector3d inside(0.06, -0.03, 0.0719), v(0.4, 1.1, -0.8);
 
 TEST(ContactLaw, NothingOutsideAndNeverAdhesive) {
@@ -50,7 +51,7 @@ TEST(ContactLaw, FrictionOpposesSlipAndStaysWithinTheCone) {
 
 // Derivatives against central differences, whose own error is about the cube root of rounding squared: 1e-10 relative.
 TEST(ContactLaw, DerivativesAreThoseOfTheTraction) {
-  for (const PenaltyLaw& law : {plain, damped, rough}) {
+  for (const PenaltyLaw& law : {plain, damped, rough, hertz}) {
     const Traction3 at = contact_traction(law, sphere_gap(0.1, inside), v);
     ASSERT_GT(at.pressure, 0);
     for (int j = 0; j < 3; ++j) {
@@ -66,6 +67,17 @@ TEST(ContactLaw, DerivativesAreThoseOfTheTraction) {
       EXPECT_LT((by_v - at.by_v.col(j)).norm(), 1e-6 * (at.by_v.norm() + at.pressure));
     }
   }
+}
+
+TEST(ContactLaw, StoredEnergyIsTheWorkOfTheLayer) {
+  for (const PenaltyLaw& law : {plain, hertz}) {
+    const double g = 3e-4, h = 1e-9;
+    EXPECT_NEAR((stored_energy(law, -g - h) - stored_energy(law, -g + h)) / (2 * h), layer(law, -g).pressure,
+                1e-6 * layer(law, -g).pressure);
+    EXPECT_NEAR((layer(law, -g + h).pressure - layer(law, -g - h).pressure) / (2 * h), layer(law, -g).by_gap,
+                1e-6 * std::abs(layer(law, -g).by_gap));
+  }
+  EXPECT_EQ(layer(hertz, 1e-5).pressure, 0);
 }
 
 TEST(ContactLaw, NanStaysOutOfTheForce) {

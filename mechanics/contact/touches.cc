@@ -30,7 +30,8 @@ Peak vertex(const ContactMoment& a, const ContactMoment& b, const ContactMoment&
 }  // namespace
 
 void TouchLog::open(const ContactMoment& now) {
-  const double start = last_.empty() ? now.t : crossing(last_.back(), now);
+  const double start = met_ ? *met_ : last_.empty() ? now.t : crossing(last_.back(), now);
+  met_.reset();
   touching_ = true;
   if (!touches_.empty()) {
     Touch& before = touches_.back();

@@ -6,6 +6,7 @@
 // Separations shorter than a tenth of the touch before them belong to it: a vibrating surface lets go and comes back.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mechanics/types.h"
@@ -35,6 +36,8 @@ struct ContactMoment {
 class TouchLog {
  public:
   void add(const ContactMoment& now);  // t ascending
+  // Surfaces meet at t [s]: the touch that comes next starts then, although points between them press a little later.
+  void meet(double t) { met_ = t; }
   std::vector<Touch> touches() const;
 
  private:
@@ -46,6 +49,7 @@ class TouchLog {
   std::vector<ContactMoment> last_;  // two at most
   Vector3d impulse_at_start_ = Vector3d::Zero();
   bool touching_ = false;
+  std::optional<double> met_;
 };
 
 }  // namespace mb

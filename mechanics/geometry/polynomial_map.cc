@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Matrix3d;
 
-constexpr double tolerance = 1e-13;  // [-] residual of the inverse over the extent
-
 // u and du/dxi along each axis.
 template <class T>
 struct Jet {
@@ -22,8 +20,10 @@ struct Jet {
 
 // Nested Horner scheme with derivatives: p <- p s + q, p' <- p' s + p. Two products a monomial, no table of powers.
 // T: all components at one point (Coordinate double, a(k) an array), or one component at many (arrays, a(k) double).
-template <class T, class Coordinate, class Coefficient>
+enum class Order { values, derivatives };  // which to compute; derivatives that are not stay 0
+template <Order order, class T, class Coordinate, class Coefficient>
 inline Jet<T> horner(int degree, const Coordinate& x, const Coordinate& y, const Coordinate& z, const Coefficient& a) {
+  constexpr bool derivatives = order == Order::derivatives;
   const T zero = T::Zero();
   Jet<T> p{zero, zero, zero, zero};
   for (int i = degree; i >= 0; --i) {
@@ -31,24 +31,28 @@ inline Jet<T> horner(int degree, const Coordinate& x, const Coordinate& y, const
     for (int j = degree - i; j >= 0; --j) {
       T s = zero, s_z = zero;
       for (int l = degree - i - j; l >= 0; --l) {
-        s_z = s_z * z + s;
+        if constexpr (derivatives) s_z = s_z * z + s;
         s = s * z + a(monomial_index(i, j, l));
       }
-      q_z = q_z * y + s_z;
-      q_y = q_y * y + q;
+      if constexpr (derivatives) {
+        q_z = q_z * y + s_z;
+        q_y = q_y * y + q;
+      }
       q = q * y + s;
     }
-    p.dz = p.dz * x + q_z;
-    p.dy = p.dy * x + q_y;
-    p.dx = p.dx * x + p.u;
+    if constexpr (derivatives) {
+      p.dz = p.dz * x + q_z;
+      p.dy = p.dy * x + q_y;
+      p.dx = p.dx * x + p.u;
+    }
     p.u = p.u * x + q;
   }
   return p;
 }
 
-template <class Matrix4>
+template <Order order, class Matrix4>
 inline Jet<Eigen::Array4d> jet(int degree, const Vector3d& xi, const Matrix4& a) {
-  return horner<Eigen::Array4d>(degree, xi[0], xi[1], xi[2], [&](Index k) { return a.col(k).array(); });
+  return horner<order, Eigen::Array4d>(degree, xi[0], xi[1], xi[2], [&](Index k) { return a.col(k).array(); });
 }
 
 Matrix3d deformation_gradient(const Jet<Eigen::Array4d>& p, const Vector3d& h) {
@@ -58,15 +62,15 @@ Matrix3d deformation_gradient(const Jet<Eigen::Array4d>& p, const Vector3d& h) {
   return F;
 }
 
-// Component `component` of u and its derivatives at every point, handed to use(first, n, jet) in blocks of 8.
-template <class Matrix4, class Use>
+// Component `component` of u (and its derivatives) at every point, handed to use(first, n, jet) in blocks of 16.
+template <Order order, class Matrix4, class Use>
 void for_blocks(int degree, const Matrix3Xd& xi, const Matrix4& a, Index component, const Use& use) {
-  using Block = Eigen::Array<double, 8, 1>;
+  using Block = Eigen::Array<double, 16, 1>;
   for (Index first = 0; first < xi.cols(); first += Block::SizeAtCompileTime) {
     const Index n = std::min<Index>(Block::SizeAtCompileTime, xi.cols() - first);
     std::array<Block, 3> s = {Block::Zero(), Block::Zero(), Block::Zero()};
     for (Index axis = 0; axis < 3; ++axis) s[static_cast<size_t>(axis)].head(n) = xi.row(axis).segment(first, n);
-    use(first, n, horner<Block>(degree, s[0], s[1], s[2], [&](Index k) { return a(component, k); }));
+    use(first, n, horner<order, Block>(degree, s[0], s[1], s[2], [&](Index k) { return a(component, k); }));
   }
 }
 
@@ -104,14 +108,6 @@ bool contracts(const Matrix3d& G) {
   return A(0, 0) > certain && A.topLeftCorner<2, 2>().determinant() > certain && A.determinant() > certain;
 }
 
-// The longest part <= 1 of step d from xi that stays in |xi| <= reach.
-double inside(const Vector3d& xi, const Vector3d& d, double reach) {
-  double t = 1;
-  for (Index a = 0; a < 3; ++a)
-    if (std::abs(xi[a] + d[a]) > reach) t = std::min(t, (std::copysign(reach, d[a]) - xi[a]) / d[a]);
-  return t;
-}
-
 }  // namespace
 
 PolynomialMap::PolynomialMap(const Monomials& monomials, const Eigen::Ref<const Matrix3Xd>& coefficients)
@@ -125,11 +121,11 @@ PolynomialMap::PolynomialMap(const Monomials& monomials, const Eigen::Ref<const 
 }
 
 Vector3d PolynomialMap::displacement(const Vector3d& X) const {
-  return jet(monomials_.degree(), monomials_.scaled(X), a_).u.head<3>();
+  return jet<Order::values>(monomials_.degree(), monomials_.scaled(X), a_).u.head<3>();
 }
 
 PolynomialMap::Point PolynomialMap::at(const Vector3d& X) const {
-  const Jet<Eigen::Array4d> p = jet(monomials_.degree(), monomials_.scaled(X), a_);
+  const Jet<Eigen::Array4d> p = jet<Order::derivatives>(monomials_.degree(), monomials_.scaled(X), a_);
   return {X + p.u.head<3>().matrix(), deformation_gradient(p, monomials_.half_extents())};
 }
 
@@ -139,8 +135,9 @@ Matrix3Xd PolynomialMap::positions(const Matrix3Xd& X) const {
   const Matrix3Xd xi = monomials_.scaled(X);
   Matrix3Xd x = X;
   for (Index a = 0; a < 3; ++a)
-    for_blocks(monomials_.degree(), xi, a_, a,
-               [&](Index first, Index n, const auto& p) { x.row(a).segment(first, n) += p.u.head(n).matrix(); });
+    for_blocks<Order::values>(monomials_.degree(), xi, a_, a, [&](Index first, Index n, const auto& p) {
+      x.row(a).segment(first, n) += p.u.head(n).matrix();
+    });
   return x;
 }
 
@@ -149,85 +146,24 @@ Matrix3Xd PolynomialMap::gradients(const Matrix3Xd& X) const {
   const Vector3d& h = monomials_.half_extents();
   Matrix3Xd F(3, 3 * X.cols());
   for (Index a = 0; a < 3; ++a)
-    for_blocks(monomials_.degree(), xi, a_, a, [&](Index first, Index n, const auto& p) {
+    for_blocks<Order::derivatives>(monomials_.degree(), xi, a_, a, [&](Index first, Index n, const auto& p) {
       for (Index i = 0; i < n; ++i) F.block<1, 3>(a, 3 * (first + i)) << p.dx[i] / h[0], p.dy[i] / h[1], p.dz[i] / h[2];
     });
   for (Index i = 0; i < X.cols(); ++i) F.block<3, 3>(0, 3 * i).diagonal().array() += 1;
   return F;
 }
 
-struct PolynomialMap::Iterate {
-  Vector3d residual;  // [m] x - c - h xi - u
-  Matrix3d F;         // [-]
-};
-
-// About the centre: there the residual is free of the rounding of a far-off origin.
-PolynomialMap::Iterate PolynomialMap::iterate(const Vector3d& target, const Vector3d& xi) const {
-  const Jet<Eigen::Array4d> p = jet(monomials_.degree(), xi, a_);
+PolynomialMap::Point PolynomialMap::about_centre(const Vector3d& xi) const {
+  const Jet<Eigen::Array4d> p = jet<Order::derivatives>(monomials_.degree(), xi, a_);
   const Vector3d& h = monomials_.half_extents();
-  return {target - h.cwiseProduct(xi) - p.u.head<3>().matrix(), deformation_gradient(p, h)};
-}
-
-std::optional<Vector3d> PolynomialMap::newton(const Vector3d& target, const Vector3d& start, int max_steps) const {
-  constexpr double shortest = 1e-4;  // of a Newton step: shorter ones creep along a fold or the region's boundary
-  const double small = tolerance * std::max(monomials_.extent(), target.norm());
-  Vector3d xi = start;
-  Iterate now = iterate(target, xi);
-  for (int step = 0; now.F.determinant() > 0; ++step) {
-    if (now.residual.norm() <= small) return xi;
-    if (step == max_steps) return {};
-    const Vector3d d = now.F.partialPivLu().solve(now.residual).cwiseQuotient(monomials_.half_extents());
-    if (!d.allFinite()) return {};
-    double t = inside(xi, d, reach);
-    Iterate next = iterate(target, xi + t * d);
-    while (!(next.residual.norm() <= (1 - 1e-4 * t) * now.residual.norm() && next.F.determinant() > 0)) {
-      t /= 2;
-      if (!(t >= shortest)) return {};
-      next = iterate(target, xi + t * d);
-    }
-    xi += t * d;
-    now = next;
-  }
-  return {};
-}
-
-std::optional<Vector3d> PolynomialMap::newton_from_nearest(const Vector3d& target, int max_steps) const {
-  constexpr int n_starts = 27, n_tried = 3;
-  constexpr double spread = 0.75;  // [-] between the middle of the box's octants and its faces
-  struct Start {
-    double distance;  // [m]
-    Vector3d xi;
-  };
-  std::array<Start, n_starts> starts;
-  for (int i = 0; i < n_starts; ++i) {
-    const Vector3d xi = spread * Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-    starts[static_cast<size_t>(i)] = {iterate(target, xi).residual.norm(), xi};
-  }
-  std::partial_sort(starts.begin(), starts.begin() + n_tried, starts.end(),
-                    [](const Start& a, const Start& b) { return a.distance < b.distance; });
-  for (size_t i = 0; i < n_tried; ++i)
-    if (const auto xi = newton(target, starts[i].xi, max_steps)) return xi;
-  return {};
-}
-
-std::optional<Vector3d> PolynomialMap::inverse(const Vector3d& x, const std::optional<Vector3d>& guess,
-                                               int max_steps) const {
-  if (!x.allFinite() || (guess && !guess->allFinite()))
-    throw std::invalid_argument("inverse of a polynomial map: the point or its guess is not finite");
-  if (max_steps < 1) throw std::invalid_argument("inverse of a polynomial map: at least one step");
-  const Vector3d target = x - monomials_.centre();
-  if ((target.cwiseAbs().array() > range_.array()).any()) return {};
-  const double limit = guess ? reach : 1;
-  const Vector3d start = monomials_.scaled(guess.value_or(x)).cwiseMax(-limit).cwiseMin(limit);
-  auto xi = newton(target, start, max_steps);
-  if (!xi) xi = newton_from_nearest(target, max_steps);
-  if (!xi) return {};
-  return monomials_.centre() + monomials_.half_extents().cwiseProduct(*xi);
+  return {h.cwiseProduct(xi) + p.u.head<3>().matrix(), deformation_gradient(p, h)};
 }
 
 double PolynomialMap::lipschitz_bound() const {
-  // |A|_2 <= | |A| |_2, which grows with every entry.
-  return gradient_bound(a_.topRows<3>(), monomials_, 1).operatorNorm();
+  // |A|_2 <= | |A| |_2, which grows with every entry. Scaled, as its square may overflow.
+  const Matrix3d G = gradient_bound(a_.topRows<3>(), monomials_, 1);
+  const double largest = G.maxCoeff();
+  return largest > 0 && std::isfinite(largest) ? largest * (G / largest).operatorNorm() : largest;
 }
 
 Vector3d PolynomialMap::displacement_bound() const { return a_.topRows<3>().cwiseAbs().rowwise().sum(); }
@@ -235,7 +171,8 @@ Vector3d PolynomialMap::displacement_bound() const { return a_.topRows<3>().cwis
 bool PolynomialMap::certainly_invertible() const {
   if (contracts(gradient_bound(a_.topRows<3>(), monomials_, 1))) return true;
   const Matrix3d F0 = gradient(monomials_.centre());
-  if (!(F0.determinant() > 0)) return false;
+  // Relative to Hadamard's bound: the sign of a smaller determinant is rounding's.
+  if (!(F0.determinant() > 1e-12 * F0.colwise().norm().prod())) return false;
   return contracts(gradient_bound(F0.inverse().lazyProduct(a_.topRows<3>()), monomials_, 4));
 }
 

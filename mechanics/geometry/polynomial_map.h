@@ -24,7 +24,7 @@ class PolynomialMap {
     return monomials_;
   }  // up to the highest degree whose coefficients are not all 0
 
-  // At material points X [m], also outside the box. NaN propagates. Many points are evaluated 8 at a time.
+  // At material points X [m], also outside the box. NaN propagates. Many points are evaluated 16 at a time.
   Vector3d position(const Vector3d& X) const { return X + displacement(X); }  // x [m]
   Vector3d displacement(const Vector3d& X) const;                             // u [m]
   Eigen::Matrix3d gradient(const Vector3d& X) const;                          // F [-]
@@ -57,8 +57,7 @@ class PolynomialMap {
   bool certainly_invertible() const;
 
  private:
-  struct Iterate;
-  Iterate iterate(const Vector3d& target, const Vector3d& xi) const;
+  Point about_centre(const Vector3d& xi) const;  // x - c and F at scaled coordinates
   std::optional<Vector3d> newton(const Vector3d& target, const Vector3d& start, int max_steps) const;
   std::optional<Vector3d> newton_from_nearest(const Vector3d& target, int max_steps) const;
 

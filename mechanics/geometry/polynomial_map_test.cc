@@ -58,7 +58,7 @@ TEST(PolynomialMap, ManyPointsAtOnceAreTheSingleOnes) {
   for (const Monomials& m : bodies) {
     const PolynomialMap map(m, random.coefficients(m, 0.1));
     const Matrix3Xd X = random.points(m, 19, 1.5), x = map.positions(X),
-                    F = map.gradients(X);  // no multiple of a block
+                    F = map.gradients(X);  // not a multiple of a block
     for (Index i = 0; i < X.cols(); ++i) {
       const auto [position, gradient] = map.at(X.col(i));
       // Same operations in another order of components: rounding of up to 165 terms of size 0.1 * 1.5^8 half extents.
@@ -192,6 +192,8 @@ TEST(PolynomialMap, InverseKeepsToTheRegionOfValidity) {
   EXPECT_TRUE(rest.inverse(near, Vector3d(1e300, 0, 0)));  // guesses are moved into the region
   const PolynomialMap wild = affine({0, 0, 0}, {1, 1, 1}, 1e200 * Matrix3d::Ones(), {0, 0, 0});
   EXPECT_FALSE(wild.inverse({1, 0, 0}));  // overflow inside: no answer, no NaN
+  EXPECT_NEAR(wild.lipschitz_bound() / 3e200, 1, 1e-14);
+  EXPECT_FALSE(wild.certainly_invertible());
 }
 
 // Wherever |grad u| < 1 in axes scaled to the box the map is one to one: the inverse must be X itself. Its error is the
@@ -265,6 +267,9 @@ TEST(PolynomialMap, BoundsHold) {
 TEST(PolynomialMap, CertainlyInvertibleUpToTheFirstFold) {
   EXPECT_TRUE(parabola(0.499, 2).certainly_invertible());
   EXPECT_FALSE(parabola(0.501, 2).certainly_invertible());
+  Matrix3d singular = Matrix3d::Identity();  // but for rounding
+  singular.topLeftCorner<2, 2>() << 1, 1 - 2e-16, 1, 1;
+  EXPECT_FALSE(affine({0, 0, 0}, {1, 1, 1}, singular, {0, 0, 0}).certainly_invertible());
   // Large gradients alone do no harm: a shear of a slender body, and of that a bent one.
   Matrix3d shear = Matrix3d::Identity();
   shear(0, 1) = 30;

@@ -6,12 +6,11 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 namespace mb {
 
 namespace {
-
-constexpr Index most_coefficients = 3 * n_monomials(max_polynomial_degree);
 
 double ratio(double a, double b) { return b > 0 ? a / b : 0; }  // of residuals: both vanish where b does
 
@@ -121,16 +120,18 @@ MatrixXd residuals_by_degree(const Orthonormal& basis, MatrixXd phi) {
   return result;
 }
 
-void drop_small(Eigen::Ref<VectorXd> a, double allowed) {
+// a with its smallest entries set to 0, as long as their magnitudes sum up to no more than allowed.
+VectorXd without_small(VectorXd a, double allowed) {
   std::vector<Index> order(static_cast<size_t>(a.size()));
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index i, Index j) { return std::abs(a[i]) < std::abs(a[j]); });
   double sum = 0;
   for (const Index i : order) {
     sum += std::abs(a[i]);
-    if (!(sum <= allowed)) return;
+    if (!(sum <= allowed)) break;
     a[i] = 0;
   }
+  return a;
 }
 
 int highest_degree(const VectorXd& a) {
@@ -156,34 +157,6 @@ ModeFit assess(const VectorXd& a, const VectorXd& phi, const VectorXd& fit, cons
 
 }  // namespace
 
-PolynomialBasis::PolynomialBasis(const Monomials& monomials, const MatrixXd& coefficients)
-    : monomials_(monomials), coefficients_(coefficients) {
-  if (coefficients.rows() != 3 * monomials.size())
-    throw std::invalid_argument(fmt::format("polynomial basis: coefficients of {} rows for {} monomials",
-                                            coefficients.rows(), monomials.size()));
-  if (!coefficients.allFinite()) throw std::invalid_argument("polynomial basis: a coefficient is not finite");
-}
-
-MatrixXd PolynomialBasis::at(const Matrix3Xd& X) const {
-  if (!X.allFinite()) throw std::invalid_argument("polynomial basis: a point is not finite");
-  const MatrixXd m = monomials_.values(X).transpose();
-  MatrixXd U(3 * X.cols(), size());
-  for (Index j = 0; j < size(); ++j) {
-    const MatrixXd a = coefficients_.col(j).reshaped(3, monomials_.size()), u = a * m;
-    U.col(j) = u.reshaped();
-  }
-  return U;
-}
-
-PolynomialMap PolynomialBasis::map(const VectorXd& q) const {
-  if (q.size() != size())
-    throw std::invalid_argument(fmt::format("polynomial basis: {} coordinates for {} modes", q.size(), size()));
-  if (!q.allFinite()) throw std::invalid_argument("polynomial basis: a modal coordinate is not finite");
-  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_coefficients, 1> a(coefficients_.rows());
-  a.noalias() = coefficients_ * q;
-  return {monomials_, Eigen::Map<const Matrix3Xd>(a.data(), 3, monomials_.size())};
-}
-
 Regression regress(const Monomials& monomials, const Matrix3Xd& X, const VectorXd& w, const MatrixXd& U,
                    const RegressionTolerances& tolerances) {
   require_valid(monomials, X, w, U, tolerances);
@@ -194,18 +167,18 @@ Regression regress(const Monomials& monomials, const Matrix3Xd& X, const VectorX
 
   const Orthonormal basis = orthonormalise(B, monomials.degree(), tolerances.rank);
   const Index rank = basis.Q.cols();
-  const MatrixXd kept = B(Eigen::all, basis.kept), Qt = basis.Q.transpose();
-  const MatrixXd R = Qt * kept, Qt_phi = Qt * phi;  // below the diagonal of R: rounding, not read
-  const MatrixXd inverse = R.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(rank, rank).eval());
-  const MatrixXd S = R.triangularView<Eigen::Upper>().solve(Qt_phi);
+  const MatrixXd kept = B(Eigen::all, basis.kept), Qt = basis.Q.transpose(), R = Qt * kept;
+  MatrixXd right(rank, 3 * r + rank);
+  right << Qt * phi, MatrixXd::Identity(rank, rank);
+  const MatrixXd left = R.triangularView<Eigen::Upper>().solve(right), inverse = left.rightCols(rank);
   const double condition = spectral_norm(kept) * spectral_norm(inverse);
 
   MatrixXd a = MatrixXd::Zero(3 * monomials.size(), r);
   for (Index k = 0; k < rank; ++k)
     for (Index j = 0; j < r; ++j)
-      a.block<3, 1>(3 * basis.kept[static_cast<size_t>(k)], j) = S.block<1, 3>(k, 3 * j).transpose();
+      a.block<3, 1>(3 * basis.kept[static_cast<size_t>(k)], j) = left.block<1, 3>(k, 3 * j).transpose();
   const VectorXd rms = norms(phi);
-  for (Index j = 0; j < r; ++j) drop_small(a.col(j), tolerances.drop * rms[j]);
+  for (Index j = 0; j < r; ++j) a.col(j) = without_small(a.col(j), tolerances.drop * rms[j]);
   a *= peak.asDiagonal();
 
   const MatrixXd fit = PolynomialBasis(monomials, a).at(X), by_degree = residuals_by_degree(basis, phi);

@@ -15,33 +15,9 @@
 
 #include <vector>
 
-#include "mechanics/geometry/polynomial_map.h"
+#include "mechanics/geometry/polynomial_basis.h"
 
 namespace mb {
-
-// r vector fields u_j = sum_k a_kj m_k on the same monomials. In the unit of the modes; with q in its inverse, u in
-// [m].
-class PolynomialBasis {
- public:
-  // coefficients 3 monomials.size() x r, r >= 0: x, y, z of a_0, then of a_1, ... Throws std::invalid_argument for
-  // another number of rows and for what is not finite.
-  PolynomialBasis(const Monomials& monomials, const MatrixXd& coefficients);
-
-  const Monomials& monomials() const { return monomials_; }
-  const MatrixXd& coefficients() const { return coefficients_; }
-  Index size() const { return coefficients_.cols(); }  // r
-
-  // The modes at points X [m] 3 x n: 3n x r, x, y, z of point 0, then of point 1, ... (an observation matrix: times q
-  // it is the displacement). Throws std::invalid_argument where X is not finite.
-  MatrixXd at(const Matrix3Xd& X) const;
-
-  // x = X + sum_j q_j u_j(X). Throws std::invalid_argument for another size of q than r and for what is not finite.
-  PolynomialMap map(const VectorXd& q) const;
-
- private:
-  Monomials monomials_;
-  MatrixXd coefficients_;
-};
 
 struct RegressionTolerances {
   // [-] in [0, 1): root mean square of a monomial's remainder below which it counts as determined by the others. True

@@ -2,7 +2,8 @@
 //
 //   (n + 1) I1 w1_{n+1} = (I2 - I3) sum_k w2_k w3_{n-k},   and cyclically;   2 (n + 1) q_{n+1} = sum_k q_k (0, w_{n-k})
 //
-// of order 24, each step as long as the last terms stay below the rounding of long double.
+// of order 24, each step as long as the last terms stay below the rounding of long double. Passing by the intermediate
+// axis at a distance of 1e-10 it has 1e-9 left: such motions need more digits than this target has.
 #pragma once
 
 #include <algorithm>

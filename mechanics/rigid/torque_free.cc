@@ -112,6 +112,7 @@ TorqueFree::Polhode TorqueFree::Polhode::of(const Vector3d& moments, const Vecto
   const double to_1 = speed * L / o.moments[0], to_3 = speed * L / o.moments[2];  // bounds of alpha'
   const double rate = to_1 * ((o.moments[2] - o.moments[0]) / o.moments[2]);      // their difference
   p.lambda = rate * C * std::sqrt(o.r);
+  // F(b | m1); without modulation (m = 0) it is infinite and chi = 0.
   p.b = p.m > 0 ? std::sqrt(o.r) * carlson_rf(o.r_rest, o.r_rest + p.m * o.r, 1) : 0;
   // The mean of A^2 / (1 + C dn), or what it lacks to 1, on top of the lower bound: terms of one sign.
   const double lacking = C * std::sqrt(o.r) * agm(1, std::sqrt(p.m1)) + o.r_rest * mean_of_third_kind(p.m1, o.r);
@@ -160,8 +161,8 @@ Rotation TorqueFree::at(double t) const {
           to_ordered_.transpose() * omega_.cwiseProduct(f)};
 }
 
-// |w|^2 is linear in sn^2 in [0, 1] and largest at sn = 0: A^2 = r B^2, m C^2 = (1 - r) B^2 and 1/I2 = r/I1 + (1 -
-// r)/I3, so that |w|^2 falls by |L|^2 B^2 (r/I1^2 + (1 - r)/I3^2 - 1/I2^2) sn^2 >= 0 (Jensen).
+// |w|^2 is linear in sn^2 in [0, 1] and largest at sn = 0: with 1/I2 = r/I1 + s/I3, s = 1 - r, A^2 = r B^2 and
+// m C^2 = s B^2 it falls by |L|^2 B^2 (r/I1^2 + s/I3^2 - 1/I2^2) sn^2, which is not negative (Jensen).
 double TorqueFree::max_angular_speed() const {
   return std::hypot(omega_[0], omega_[2]) * (1 + 1e-15);  // rounding must not take it below |w|
 }

@@ -42,19 +42,20 @@ class FlatPair final : public ContactPair {
   }
 
   void push(const VectorXd& s, VectorXd& f_s, MatrixXd& H) override {
-    const auto& [stiffness, damping, friction] = contact_.law;
+    const PenaltyLaw& law = contact_.law;
     for (Index k = 0; k < n_; ++k) {
       const Index i = reach_[k];
-      const double gap = gap_[k] + static_rows_.col(i).dot(s), damped = 1 - damping * rate_[k];
+      const double gap = gap_[k] + static_rows_.col(i).dot(s), damped = 1 - law.damping * rate_[k];
       if (!(gap < 0 && damped > 0)) continue;
-      const double layer = contact_.samples.w[i] * stiffness * damped;
-      f_s.noalias() -= (layer * gap) * static_rows_.col(i);
-      H.noalias() += layer * static_rows_.col(i) * static_rows_.col(i).transpose();
+      const auto [elastic, by_gap] = layer(law, gap);
+      const double area = contact_.samples.w[i] * damped;
+      f_s.noalias() += (area * elastic) * static_rows_.col(i);
+      H.noalias() -= (area * by_gap) * static_rows_.col(i) * static_rows_.col(i).transpose();
     }
   }
 
   void act(const VectorXd& s, ContactLoad& load) override {
-    const auto& [stiffness, damping, friction] = contact_.law;
+    const PenaltyLaw& law = contact_.law;
     double sum = 0;
     Vector3d moment = Vector3d::Zero();  // sum f_i r_i, body frame
     for (Index k = 0; k < n_; ++k) {
@@ -62,9 +63,9 @@ class FlatPair final : public ContactPair {
       const double gap = gap_[k] + static_rows_.col(i).dot(s);
       load.least_gap = std::min(load.least_gap, gap);
       if (!(gap < 0)) continue;
-      const double damped = std::max(0.0, 1 - damping * rate_[k]), elastic = -contact_.samples.w[i] * stiffness * gap;
-      const double f = elastic * damped;
-      load.stored += 0.5 * elastic * -gap;
+      const double damped = std::max(0.0, 1 - law.damping * rate_[k]);
+      const double elastic = contact_.samples.w[i] * layer(law, gap).pressure, f = elastic * damped;
+      load.stored += contact_.samples.w[i] * stored_energy(law, gap);
       load.dissipation += elastic * (1 - damped) * rate_[k];
       sum += f;
       load.modal.noalias() += f * rows_.col(i);
@@ -76,12 +77,12 @@ class FlatPair final : public ContactPair {
   }
 
   void stiffen(const VectorXd& s, double rate, MatrixXd& K) override {
-    const auto& [stiffness, damping, friction] = contact_.law;
+    const PenaltyLaw& law = contact_.law;
     const Index n_frame = body_.free ? 6 : 0, r = body_.n_modes();
     VectorXd G(K.rows());
     for (Index k = 0; k < n_; ++k) {
       const Index i = reach_[k];
-      const double gap = gap_[k] + static_rows_.col(i).dot(s), damped = 1 - damping * rate_[k];
+      const double gap = gap_[k] + static_rows_.col(i).dot(s), damped = 1 - law.damping * rate_[k];
       if (!(gap < 0 && damped > 0)) continue;
       if (body_.free) {
         G.head<3>() = normal_;
@@ -89,9 +90,8 @@ class FlatPair final : public ContactPair {
       }
       G.segment(n_frame, r) = rows_.col(i);
       G.tail(s.size()) = static_rows_.col(i);
-      const double by_gap = contact_.samples.w[i] * stiffness * damped;
-      const double by_rate = -contact_.samples.w[i] * stiffness * gap * damping;
-      K.noalias() += (by_gap + rate * by_rate) * G * G.transpose();
+      const auto [elastic, by_gap] = layer(law, gap);
+      K.noalias() += contact_.samples.w[i] * (rate * elastic * law.damping - by_gap * damped) * G * G.transpose();
     }
   }
 

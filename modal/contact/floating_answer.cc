@@ -64,11 +64,13 @@ FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static
                       {body.pose.position, body.twist.velocity, body.pose.orientation, Vector3d::Zero(),
                        VectorXd::Zero(r), VectorXd::Zero(r), VectorXd::Zero(Psi.cols())},
                       polynomials(mesh, mesh.displacement * Phi),
+                      {},
                       mesh.points.all(),
                       mesh.displacement * Phi,
                       mesh.strain * Phi,
                       mesh.displacement * Psi,
                       mesh.strain * Psi};
+  basis.bounds = shape_bounds(body.shape, basis.geometry.basis);
   for (Index i = 0; i < r; ++i) {
     const double omega = modes.omega[n_first + i], lambda = omega * omega;
     const double c = lambda > 0 ? body.damping.alpha + body.damping.beta * lambda : 0;
@@ -90,14 +92,13 @@ namespace {
 class PreparedFloating final : public Prepared {
  public:
   PreparedFloating(std::shared_ptr<const FloatingBasis> basis, ContactScheme scheme, double step)
-      : basis_(std::move(basis)),
-        plan_{basis_->body,
-              basis_->scene->bodies.front().shape,
-              basis_->geometry.basis,
-              shape_bounds(basis_->geometry.basis),
-              basis_->start,
-              scheme,
-              step} {}
+      : basis_(std::move(basis)), plan_{basis_->body,
+                                        basis_->scene->bodies.front().shape,
+                                        basis_->geometry.basis,
+                                        basis_->bounds,
+                                        basis_->start,
+                                        scheme,
+                                        step} {}
 
   Trajectory simulate(const Sampling& sampling) const override {
     if (sampling.shutter != 0) throw std::invalid_argument("no exact means in contact");

@@ -15,6 +15,7 @@ struct FloatingBasis {
   FloatingBody body;
   BodyState start;
   Regression geometry;                          // of the elastic modes by polynomials: what the contact sees of them
+  ShapeBounds bounds;                           // of these polynomials
   Matrix3Xd points;                             // [m] evaluation points, body frame
   MatrixXd displacement, strain;                // of elastic modes at the points: 3 p x r, 6 p x r
   MatrixXd static_displacement, static_strain;  // of static shapes
@@ -23,8 +24,8 @@ struct FloatingBasis {
 // static_contact: with the static shapes of each contact, pressures on discs about the first touch (contact_shapes.h).
 FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static_contact);
 
-// Makes a reduction of a scene with contact answer in the floating frame; does nothing to others. The model must outlive
-// it.
+// Makes a reduction of a scene with contact answer in the floating frame; does nothing to others. The model must
+// outlive it.
 void answer_in_contact(Reduction& reduction, const Model& model, const Modes& modes, bool static_contact);
 
 // As Reduction::in_contact. The time step of the settings is the step in contact.

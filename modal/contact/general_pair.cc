@@ -61,7 +61,7 @@ class GeneralPair final : public ContactPair {
       load.torque += (x - state_->c).cross(f);
       load.modal.noalias() += Phi_.middleCols(3 * i, 3) * (Q.transpose() * f);
       load.stored += w * stored_energy(contact_.law, value);
-      load.dissipation -= f.dot(v) + w * contact_.law.stiffness * value * at.normal.dot(v);
+      load.dissipation -= f.dot(v) - w * layer(contact_.law, value).pressure * at.normal.dot(v);
     }
     load.n_visited += n_;
   }

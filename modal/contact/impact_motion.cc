@@ -93,6 +93,7 @@ class Run {
   // Steps until the body lets go or the end is reached; the time it is then.
   double touch_and_go(double start, ContactState& now, double end) {
     stepper_.look(now);
+    log_.meet(start);
     note(start, now);
     ContactState before;
     double t = start;

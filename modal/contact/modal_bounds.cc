@@ -1,10 +1,78 @@
 #include "modal/contact/modal_bounds.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace mb {
 
-ShapeBounds shape_bounds(const PolynomialBasis& geometry) {
+namespace {
+
+constexpr int per_degree = 3;  // N / d of Chebyshev's nodes, half that of equal angles: 1 / cos(pi/6) a direction
+
+VectorXd chebyshev_nodes(int n) {
+  VectorXd x(n);
+  for (int i = 0; i < n; ++i) x[i] = std::cos(pi * (i + 0.5) / n);
+  return x;
+}
+
+struct Grid {
+  Matrix3Xd X;        // [m]
+  double factor;      // [-] >= 1
+  double half_width;  // [m] w
+};
+
+template <class Place>
+Grid product(const VectorXd& a, const VectorXd& b, const VectorXd& c, double half_width, const Place& place) {
+  Grid grid{Matrix3Xd(3, a.size() * b.size() * c.size()), std::pow(std::cos(pi / (2 * per_degree)), -3), half_width};
+  Index p = 0;
+  for (const double x : a)
+    for (const double y : b)
+      for (const double z : c) grid.X.col(p++) = place(x, y, z);
+  return grid;
+}
+
+// Nothing for shapes without coordinates in which polynomials stay polynomials.
+std::optional<Grid> fitted_grid(const Shape& shape, int d) {
+  const int n = per_degree * std::max(1, d);
+  const VectorXd x = chebyshev_nodes(n), angle = VectorXd::LinSpaced(2 * n, 0, 2 * pi * (1 - 0.5 / n));
+  if (const Box* box = std::get_if<Box>(&shape))
+    return product(x, x, x, box->size.minCoeff() / 2, [&](double a, double b, double c) {
+      return Vector3d(0.5 * box->size.cwiseProduct(Vector3d(a, b, c)));
+    });
+  if (const Cylinder* c = std::get_if<Cylinder>(&shape))
+    return product(x, angle, x, std::min(c->radius, c->length / 2), [&](double r, double phi, double z) {
+      return Vector3d(c->radius * r * std::cos(phi), c->radius * r * std::sin(phi), c->length / 2 * z);
+    });
+  if (const Sphere* s = std::get_if<Sphere>(&shape))
+    return product(x, angle, angle, s->radius, [&](double r, double phi, double theta) {
+      return Vector3d(s->radius * r *
+                      Vector3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
+    });
+  return std::nullopt;
+}
+
+void tighten(ShapeBounds& bounds, const Shape& shape, const PolynomialBasis& geometry) {
+  const int d = geometry.monomials().degree();
+  const auto grid = fitted_grid(shape, d);
+  if (!grid || geometry.size() == 0) return;
+  VectorXd largest = VectorXd::Zero(geometry.size());
+  for (Index from = 0; from < grid->X.cols(); from += 1024) {
+    const Index n = std::min<Index>(1024, grid->X.cols() - from);
+    const MatrixXd phi = geometry.at(grid->X.middleCols(from, n));
+    for (Index k = 0; k < phi.cols(); ++k)
+      largest[k] = std::max(largest[k], phi.col(k).reshaped(3, n).colwise().squaredNorm().maxCoeff());
+  }
+  largest = largest.cwiseSqrt() * grid->factor;  // each component along a fixed direction is such a polynomial
+  const double w = grid->half_width;
+  bounds.value = bounds.value.cwiseMin(largest);
+  bounds.gradient = bounds.gradient.cwiseMin(d * d / w * largest);
+  bounds.bend = bounds.bend.cwiseMin(d * d * (d - 1) * (d - 1) / (w * w) * largest);
+}
+
+}  // namespace
+
+ShapeBounds shape_bounds(const Shape& shape, const PolynomialBasis& geometry) {
   const Index r = geometry.size();
   ShapeBounds bounds{VectorXd::Zero(r), VectorXd::Zero(r), VectorXd::Zero(r)};
   const Vector3d h = geometry.monomials().half_extents();
@@ -23,6 +91,7 @@ ShapeBounds shape_bounds(const PolynomialBasis& geometry) {
       bounds.gradient[j] += a * slope.norm();
       bounds.bend[j] += a * curvature.norm();
     }
+  tighten(bounds, shape, geometry);
   return bounds;
 }
 

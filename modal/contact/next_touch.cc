@@ -1,6 +1,8 @@
 #include "modal/contact/next_touch.h"
 
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "mechanics/contact/first_touch.h"
 #include "mechanics/contact/first_touch_support.h"
@@ -69,6 +71,41 @@ class FloatingMotion final : public BodyMotion {
   mutable std::optional<PolynomialMap> deformation_, rate_;
 };
 
+struct Window {
+  double from, to;
+};  // [s]
+
+// When the body can touch a half-space at all: where  n . (c - a) - h <= 0,  h the undeformed body's reach along -n
+// plus its largest deformation; c is a parabola in time. At most two windows of [from, to].
+std::vector<Window> windows(const ImpactPlan& plan, const BodyState& start, const RigidSurface& surface, double from,
+                            double to) {
+  if (!plan.body.free || !std::holds_alternative<HalfSpace>(surface.shape)) return {{from, to}};
+  const Vector3d n = surface.pose.orientation * Vector3d::UnitZ();
+  const AmplitudeBounds a = amplitude_bounds(plan.body, start.q, start.p, to - from);
+  const Vector3d down = start.Q.conjugate() * -n;
+  const double reach = (start.L.isZero(0) ? down.dot(support_point(plan.shape, down)) : circumradius(plan.shape)) +
+                       a.q.dot(plan.bounds.value);
+  const double height = n.dot(start.c - surface.pose.position) - reach, climb = n.dot(start.v),
+               pull = n.dot(plan.body.gravity);  // height + climb t + pull t^2/2 <= 0
+  if (pull > 0) return {{from, to}};
+  const double root = climb * climb - 2 * pull * height;
+  if (pull == 0) {
+    if (height <= 0 && climb <= 0) return {{from, to}};
+    const double crossing = climb == 0 ? std::numeric_limits<double>::infinity() : -height / climb;
+    if (climb >= 0)
+      return height > 0 ? std::vector<Window>() : std::vector<Window>{{from, std::min(to, from + crossing)}};
+    return from + crossing >= to ? std::vector<Window>() : std::vector<Window>{{from + std::max(0.0, crossing), to}};
+  }
+  if (root <= 0) return {{from, to}};                                 // it never rises out of reach
+  const double half = climb + std::copysign(std::sqrt(root), climb);  // roots -half/pull and -2 height/half
+  const double t1 = from + std::min(-half / pull, -2 * height / half),
+               t2 = from + std::max(-half / pull, -2 * height / half);
+  std::vector<Window> open;
+  if (t1 > from) open.push_back({from, std::min(t1, to)});
+  if (t2 < to) open.push_back({std::max(t2, from), to});
+  return open;
+}
+
 }  // namespace
 
 std::optional<double> next_touch(const ImpactPlan& plan, const BodyFlight& flight, double end, bool leaving) {
@@ -76,15 +113,20 @@ std::optional<double> next_touch(const ImpactPlan& plan, const BodyFlight& fligh
   const double l = extent(plan.shape);
   const FloatingMotion motion(plan, flight);
   std::optional<double> earliest;
-  for (const SampledContact& contact : plan.body.contacts) {
-    const auto touch = first_touch(plan.shape, motion, contact.surface,
-                                   {.t0 = flight.start(),
-                                    .t1 = earliest.value_or(end),
-                                    .tolerance = tolerance * l,
-                                    .leaving = leaving,
-                                    .depth = leaving ? depth * l : tolerance * l});
-    if (touch) earliest = touch->t;
-  }
+  const BodyState start = flight.at(flight.start());
+  for (const SampledContact& contact : plan.body.contacts)
+    for (const Window& w : windows(plan, start, contact.surface, flight.start(), earliest.value_or(end))) {
+      const bool at_start = leaving && w.from == flight.start();
+      const auto touch = first_touch(plan.shape, motion, contact.surface,
+                                     {.t0 = w.from,
+                                      .t1 = w.to,
+                                      .tolerance = tolerance * l,
+                                      .leaving = at_start,
+                                      .depth = (at_start ? depth : tolerance) * l});
+      if (!touch) continue;
+      earliest = touch->t;
+      break;
+    }
   return earliest;
 }
 

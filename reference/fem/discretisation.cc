@@ -170,6 +170,7 @@ Discretisation::Discretisation(const Shape& shape_, const Resolution& resolution
   nodes.distribute_dofs(element);
   hanging = hanging_nodes(nodes);
   map_conforming(nodes, hanging, mapping);
+  if (resolution.graded > 0) require_sound_cells(nodes, mapping);
 }
 
 Matrix3Xd Discretisation::node_positions() const {

@@ -33,28 +33,6 @@ std::vector<Point> conforming_places(const dealii::Mapping<3>& surface, const de
   return x;
 }
 
-// At the points that the matrices and the lumped mass take, corners among them.
-void require_sound_cells(const dealii::DoFHandler<3>& nodes, const dealii::Mapping<3>& mapping) {
-  const unsigned p = nodes.get_fe().degree;
-  std::vector<Point> points = dealii::QGaussLobatto<3>(p + 1).get_points();
-  const std::vector<Point> inner = dealii::QGauss<3>(p + 1).get_points();
-  points.insert(points.end(), inner.begin(), inner.end());
-  dealii::FEValues<3> values(mapping, nodes.get_fe(), dealii::Quadrature<3>(points), dealii::update_jacobians);
-  for (const auto& cell : nodes.active_cell_iterators()) {
-    values.reinit(cell);
-    double least = values.jacobian(0).determinant(), largest = least;
-    for (unsigned q = 1; q < points.size(); ++q) {
-      least = std::min(least, values.jacobian(q).determinant());
-      largest = std::max(largest, values.jacobian(q).determinant());
-    }
-    if (least > flattest * largest) continue;
-    const Point x = cell->center();
-    throw std::invalid_argument(
-        fmt::format("grading flattens or turns the cell at ({:.4g}, {:.4g}, {:.4g}) m: Jacobian from {:.2g} to {:.2g}",
-                    x[0], x[1], x[2], least, largest));
-  }
-}
-
 }  // namespace
 
 void refine_near(Mesh& mesh, const std::vector<Vector3d>& foci) {
@@ -93,7 +71,28 @@ void map_conforming(const dealii::DoFHandler<3>& nodes, const HangingNodes& hang
     std::transform(ids.begin(), ids.end(), places.begin(), [&](auto a) { return x[a]; });
     return places;
   });
-  require_sound_cells(nodes, mapping);
+}
+
+void require_sound_cells(const dealii::DoFHandler<3>& nodes, const dealii::Mapping<3>& mapping) {
+  // The points that the matrices and the lumped mass take, corners among them.
+  const unsigned p = nodes.get_fe().degree;
+  std::vector<Point> points = dealii::QGaussLobatto<3>(p + 1).get_points();
+  const std::vector<Point> inner = dealii::QGauss<3>(p + 1).get_points();
+  points.insert(points.end(), inner.begin(), inner.end());
+  dealii::FEValues<3> values(mapping, nodes.get_fe(), dealii::Quadrature<3>(points), dealii::update_jacobians);
+  for (const auto& cell : nodes.active_cell_iterators()) {
+    values.reinit(cell);
+    double least = values.jacobian(0).determinant(), largest = least;
+    for (unsigned q = 1; q < points.size(); ++q) {
+      least = std::min(least, values.jacobian(q).determinant());
+      largest = std::max(largest, values.jacobian(q).determinant());
+    }
+    if (least > flattest * largest) continue;
+    const Point x = cell->center();
+    throw std::invalid_argument(
+        fmt::format("grading flattens or turns the cell at ({:.4g}, {:.4g}, {:.4g}) m: Jacobian from {:.2g} to {:.2g}",
+                    x[0], x[1], x[2], least, largest));
+  }
 }
 
 }  // namespace mb::fem

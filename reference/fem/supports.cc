@@ -59,9 +59,9 @@ Supports free_components(const Discretisation& d, const std::vector<bool>& fixed
     for (size_t i = 0; i < 3; ++i)
       for (const auto& [master, c] : hanging.entries) {
         const Index j = column[3 * master + i];
-        if (j < 0) continue;
-        if (fixed[3 * hanging.index + i]) throw std::logic_error("a node is held that hangs on one which is not");
-        entries.emplace_back(static_cast<Index>(3 * hanging.index + i), j, c);
+        const bool held = fixed[3 * hanging.index + i];
+        if (held && j >= 0 && std::abs(c) > 1e-12) throw std::logic_error("a held node hangs on one that is not");
+        if (!held && j >= 0) entries.emplace_back(static_cast<Index>(3 * hanging.index + i), j, c);
       }
   free.T.resize(d.n_dofs(), std::ssize(free.kept));
   free.T.setFromTriplets(entries.begin(), entries.end());

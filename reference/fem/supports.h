@@ -17,7 +17,9 @@ struct Supports {
   SparseMatrix T;           // n_dofs x n_free; the identity where nothing is held and nothing hangs
   std::vector<Index> kept;  // n_free ascending, of nodes that do not hang: u_i = u_full[kept_i]
 };
-// Throws std::invalid_argument if nothing stays free, and for sliding and diaphragm supports on curved faces.
+// Means are of the mesh's face: where a disc is graded on one side, its centroid is off by the boundary error, and the
+// means of both ends of a cylinder hold a tilt, too. Throws std::invalid_argument if nothing stays free, and for
+// sliding and diaphragm supports on curved faces.
 Supports condense(const Discretisation& d, const std::vector<Support>& supports);
 
 // The drive of the driven supports, none without such. Throws std::invalid_argument where one of them states no drive

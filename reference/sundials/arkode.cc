@@ -2,6 +2,7 @@
 
 #include <arkode/arkode_arkstep.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -32,7 +33,7 @@ int right_hand_side(realtype t, N_Vector y, N_Vector ydot, void* data) {
   p.parts.force(p.load_time(t), p.u, p.v, p.b);
   if (p.parts.contact) {
     set_quadratures(p.contact_at(p.u, p.v, p.f), NV_DATA_S(ydot) + 2 * p.n);
-    p.parts.contact->forces.add(p.f, p.b);
+    p.parts.contact->add(p.f, p.b);
   }
   p.parts.mass.solve(p.b.data(), NV_DATA_S(ydot) + p.n);
   ++p.work.load_evaluations;
@@ -48,9 +49,9 @@ struct Stage {
 };
 
 // Contact in a stage whose linear solution stands in p.v: false where Newton's method fails.
-bool solve_contact(Problem& p, const Stage& stage, N_Vector correction) {
+bool solve_contact(Problem& p, const Stage& stage, Factor& factor, N_Vector correction) {
   const VectorXd a = stage.part(stage.predicted, 0, p.n) + stage.part(stage.data, 0, p.n);
-  const auto outcome = p.parts.contact->stage.solve(p.parts.A, a, stage.gamma, p.tolerance, p.v);
+  const auto outcome = factor.stage->solve(factor.A, a, stage.gamma, p.tolerance, p.v);
   p.work.solves += outcome.solves;
   if (!outcome.converged) return false;
   double rates[n_quadratures];
@@ -72,12 +73,7 @@ int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vect
       ARK_SUCCESS)
     return -1;
   const double gamma = stage.gamma;
-  Shifted& A = p.parts.A;
-  if (std::abs(gamma / A.gamma() - 1) > 1e-12) {  // ARKODE recomputes an unchanged gamma with rounding
-    A.set_gamma(gamma);
-    if (p.parts.contact) p.parts.contact->stage.forget();
-    ++p.work.factorisations;
-  }
+  Factor& factor = p.parts.factors.at(gamma);
   const Vector data_u = stage.part(stage.data, 0, p.n), data_v = stage.part(stage.data, p.n, p.n),
                predicted_u = stage.part(stage.predicted, 0, p.n), predicted_v = stage.part(stage.predicted, p.n, p.n);
   p.u = predicted_u + data_u;
@@ -86,10 +82,10 @@ int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vect
   p.v = predicted_v + data_v;
   p.parts.M(p.v, p.u);
   p.b = gamma * p.b + p.u;
-  A.solve(p.b, p.v);
+  factor.A.solve(p.b, p.v);
   ++p.work.solves;
   if (!std::isfinite(p.v.sum())) return -1;
-  if (p.parts.contact && !solve_contact(p, stage, correction)) return SUN_NLS_CONV_RECVR;
+  if (p.parts.contact && !solve_contact(p, stage, factor, correction)) return SUN_NLS_CONV_RECVR;
   stage.part(correction, 0, p.n) = data_u + gamma * p.v;
   stage.part(correction, p.n, p.n) = p.v - predicted_v;
   return SUN_NLS_SUCCESS;
@@ -97,6 +93,17 @@ int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vect
 
 SUNNonlinearSolver_Type root_finding(SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; }
 int accept_function(SUNNonlinearSolver, SUNNonlinSolSysFn) { return SUN_NLS_SUCCESS; }
+
+// The next step: what the error of the last asks for (order 5, embedded 4), down to a power of sqrt(2). `safety` is
+// what ARKODE multiplies by afterwards.
+constexpr double safety = 0.96, room = 0.75;
+int step_on_the_grid(N_Vector, realtype, realtype h, realtype, realtype, realtype error, realtype, realtype, int, int p,
+                     realtype* next, void*) {
+  const double wanted = h * room * std::pow(std::max(error, 1e-10), -1.0 / (p + 1));
+  const double grid = std::exp2(std::floor(2 * std::log2(wanted)) / 2);
+  *next = grid / safety;
+  return std::isfinite(grid) ? ARK_SUCCESS : -1;
+}
 
 int least_gap(realtype, N_Vector y, realtype* gap, void* data) {
   Problem& p = *static_cast<Problem*>(data);
@@ -109,18 +116,54 @@ int least_gap(realtype, N_Vector y, realtype* gap, void* data) {
 }  // namespace
 
 ContactSum Problem::contact_at(const VectorXd& u_, const VectorXd& v_, VectorXd& f_C) const {
-  const ContactForces& forces = parts.contact->forces;
+  const ContactForces& forces = *parts.contact;
   return forces(forces.gather(u_), forces.gather(v_), f_C);
 }
 
-Parts::Parts(const System& system, double gamma, const std::vector<Contact>& contacts)
-    : force(system, UnbalancedForce::Mass::consistent), mass(system.M), M(system.M), A(system, gamma) {
-  if (!contacts.empty()) contact = std::make_unique<ContactPart>(contacts, system.u0.size());
+Factors::Factors(const System& system, double gamma, const ContactForces* contact)
+    : system_(system), contact_(contact) {
+  add(gamma);
 }
+
+void Factors::add(double gamma) {
+  used_.push_front({Shifted(system_, gamma), {}, true});
+  if (contact_) used_.front().stage.emplace(*contact_, system_.u0.size());
+}
+
+void Factors::forget() {
+  for (Factor& factor : used_) factor.current = false;
+  n_made_ = 0;
+}
+
+Factor& Factors::at(double gamma) {
+  // ARKODE recomputes an unchanged gamma with rounding.
+  const auto known = std::ranges::find_if(
+      used_, [&](const Factor& f) { return f.current && std::abs(gamma / f.A.gamma() - 1) <= 1e-12; });
+  if (known != used_.end()) {
+    used_.splice(used_.begin(), used_, known);
+    return used_.front();
+  }
+  ++n_made_;
+  const auto old = std::ranges::find(used_, false, &Factor::current);
+  if (old == used_.end() && used_.size() < most) return add(gamma), used_.front();
+  used_.splice(used_.begin(), used_, old != used_.end() ? old : std::prev(used_.end()));
+  used_.front().A.set_gamma(gamma);
+  if (contact_) used_.front().stage->forget();
+  used_.front().current = true;
+  return used_.front();
+}
+
+Parts::Parts(const System& system, double gamma, const std::vector<Contact>& contacts)
+    : force(system, UnbalancedForce::Mass::consistent),
+      mass(system.M),
+      M(system.M),
+      contact(contacts.empty() ? std::nullopt : std::optional<ContactForces>(contacts)),
+      factors(system, gamma, contact ? &*contact : nullptr) {}
 
 void FreeArkode::operator()(void* arkode) const { ARKStepFree(&arkode); }
 
 Run::Run(const System& system, Parts& parts, const Accuracy& accuracy) : problem_(system.u0.size(), parts) {
+  parts.factors.forget();
   const Index n = system.u0.size(), size = problem_.size();
   SUNContext context = nullptr;
   require(SUNContext_Create(nullptr, &context), "SUNContext_Create");
@@ -134,7 +177,6 @@ Run::Run(const System& system, Parts& parts, const Accuracy& accuracy) : problem
   Vector(NV_DATA_S(tolerance_.get()), n).setConstant(accuracy.tolerance * accuracy.scales.displacement);
   Vector(NV_DATA_S(tolerance_.get()) + n, n).setConstant(accuracy.tolerance * accuracy.scales.velocity);
   problem_.tolerance = stage_tolerance * accuracy.tolerance * accuracy.scales.velocity;
-  if (parts.contact) parts.contact->stage.forget();
   arkode_.reset(ARKStepCreate(nullptr, right_hand_side, 0, y_.get(), context));
   if (!arkode_) throw std::runtime_error("SUNDIALS: ARKStepCreate failed");
   configure(accuracy, context);
@@ -163,6 +205,7 @@ ContactSum Run::contact() { return problem_.contact_at(displacement(), velocity(
 
 Work Run::work() const {
   Work work = problem_.work;
+  work.factorisations = problem_.parts.factors.n_made();
   long attempts = 0;
   ARKStepGetNumSteps(arkode_.get(), &work.steps);
   ARKStepGetNumStepAttempts(arkode_.get(), &attempts);
@@ -186,8 +229,9 @@ void Run::configure(const Accuracy& accuracy, SUNContext context) {
   require(ARKStepSetDeduceImplicitRhs(ark, 1), "ARKStepSetDeduceImplicitRhs");
   // From rest, error control alone would step over a load that comes late.
   require(ARKStepSetMaxStep(ark, accuracy.longest_step), "ARKStepSetMaxStep");
-  // The step stays unless it may grow by 1.6: an unchanged gamma keeps the factor.
-  require(ARKStepSetFixedStepBounds(ark, 1.0, 1.6), "ARKStepSetFixedStepBounds");
+  require(ARKStepSetAdaptivityFn(ark, step_on_the_grid, nullptr), "ARKStepSetAdaptivityFn");
+  require(ARKStepSetSafetyFactor(ark, safety), "ARKStepSetSafetyFactor");
+  require(ARKStepSetFixedStepBounds(ark, 1.0, 1.0), "ARKStepSetFixedStepBounds");
   if (problem_.parts.contact) require(ARKStepRootInit(ark, 1, least_gap), "ARKStepRootInit");
 }
 

@@ -10,6 +10,9 @@
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_nonlinearsolver.h>
 
+#include <list>
+#include <optional>
+
 #include "mechanics/contact/contact_stage.h"
 #include "mechanics/system/shifted.h"
 #include "mechanics/system/symmetric_product.h"
@@ -33,10 +36,30 @@ struct Accuracy {
   double longest_step;  // [s]
 };
 
-struct ContactPart {
-  ContactPart(const std::vector<Contact>& contacts, Index n) : forces(contacts), stage(forces, n) {}
-  ContactForces forces;
-  ContactStage stage;
+// A factor of M + gamma C + gamma^2 K and what contact has found of its inverse.
+struct Factor {
+  Shifted A;
+  std::optional<ContactStage> stage;
+  bool current;  // made in this run
+};
+
+// The factors of the last few gammas: steps are powers of sqrt(2) of the first, so that few are enough and come back.
+class Factors {
+ public:
+  Factors(const System& system, double gamma, const ContactForces* contact);  // both must outlive this
+  Factor& at(double gamma);  // made where it is not there, in the place of the one longest unused
+  // Each run pays for its own: what is there serves as a pattern alone.
+  void forget();
+  long n_made() const { return n_made_; }  // since then
+
+ private:
+  void add(double gamma);
+
+  static constexpr size_t most = 6;
+  const System& system_;
+  const ContactForces* contact_;
+  std::list<Factor> used_;  // the last one used first
+  long n_made_ = 0;
 };
 
 // The parts that last: made once, used by every run.
@@ -45,8 +68,8 @@ struct Parts {
   UnbalancedForce force;
   SpdFactor mass;
   SymmetricProduct M;
-  Shifted A;                             // M + gamma C + gamma^2 K
-  std::unique_ptr<ContactPart> contact;  // or none
+  std::optional<ContactForces> contact;  // or none
+  Factors factors;
 };
 
 // What one run needs at every callback. ARKODE sees it as user data and as the stage solver's content.

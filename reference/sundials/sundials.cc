@@ -64,7 +64,7 @@ class Sundials final : public Stepper {
         tolerance_(tolerance),
         duration_(duration),
         parts_(system, duration, {}),
-        scales_(motion_scales(system, duration, parts_.A)),
+        scales_(motion_scales(system, duration, parts_.factors.at(duration).A)),
         stops_(stops(system, duration)) {}
 
   States run(const VectorXd& times) const override {
@@ -84,7 +84,7 @@ class Sundials final : public Stepper {
       out.n_valid = k + 1;
     }
     out.work = run.work();
-    out.work.factorisations += (parts_.mass.is_diagonal() ? 0 : 1) + (parts_.A.is_diagonal() ? 0 : 1);
+    out.work.factorisations += parts_.mass.is_diagonal() ? 0 : 1;
     return out;
   }
 

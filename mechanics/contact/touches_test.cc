@@ -1,0 +1,60 @@
+#include "mechanics/contact/touches.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace mb {
+namespace {
+
+// Gap sin(t) from t = 0 on, force its depth squared: touches in (pi, 2 pi), (3 pi, 4 pi), ...
+ContactMoment wave(double t) {
+  const double gap = std::sin(t), f = gap < 0 ? gap * gap : 0;
+  return {t, gap, {0, 0, f}, {0, 0, t}};
+}
+
+TEST(TouchLog, FindsStartEndAndPeak) {
+  TouchLog log;
+  const double h = 0.01;
+  for (int i = 0; i <= 1000; ++i) log.add(wave(i * h));
+  const auto touches = log.touches();
+  ASSERT_EQ(touches.size(), 2u);
+  EXPECT_NEAR(touches[0].start, pi, 1e-6);  // a line through a sine: h^3/8 times its third derivative
+  EXPECT_NEAR(touches[0].end, 2 * pi, 1e-6);
+  EXPECT_NEAR(touches[0].peak_time, 1.5 * pi, 1e-6);
+  EXPECT_NEAR(touches[0].peak_force, 1, 1e-8);
+  EXPECT_NEAR(touches[0].impulse.z(), pi, 2 * h);  // of whole steps
+  EXPECT_NEAR(touches[1].start, 3 * pi, 1e-6);
+  EXPECT_EQ(touches[1].end, std::numeric_limits<double>::infinity());  // it lasts
+}
+
+TEST(TouchLog, ShortSeparationsBelongToTheTouch) {
+  TouchLog log;
+  const auto at = [&](double t, double gap) { log.add({t, gap, {0, 0, gap < 0 ? 1.0 : 0.0}, {0, 0, t}}); };
+  at(0, 1), at(1, -1), at(10, -1), at(10.2, 0.1), at(10.4, -1), at(20, -1), at(21, 1), at(30, -1), at(31, 1);
+  const auto touches = log.touches();
+  ASSERT_EQ(touches.size(), 2u);
+  EXPECT_DOUBLE_EQ(touches[0].start, 0.5);
+  EXPECT_DOUBLE_EQ(touches[0].end, 20.5);
+  EXPECT_DOUBLE_EQ(touches[0].impulse.z(), 21);
+}
+
+TEST(TouchLog, StartsWhereSurfacesMet) {
+  TouchLog log;
+  log.meet(0.25);
+  log.add({0.25, 0.1, {}, Vector3d::Zero()});
+  log.add({1, -0.1, {0, 0, 2}, {0, 0, 1}});
+  ASSERT_EQ(log.touches().size(), 1u);
+  EXPECT_EQ(log.touches()[0].start, 0.25);
+  EXPECT_EQ(log.touches()[0].peak_force, 2);
+}
+
+TEST(TouchLog, NeverTouchingIsNoTouch) {
+  TouchLog log;
+  for (int i = 0; i < 5; ++i) log.add({0.1 * i, 1e-9, Vector3d::Zero(), Vector3d::Zero()});
+  EXPECT_TRUE(log.touches().empty());
+}
+
+}  // namespace
+}  // namespace mb

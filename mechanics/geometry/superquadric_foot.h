@@ -1,0 +1,23 @@
+// Newton's method for the foot y of the perpendicular from x onto a superquadric, in one octant
+// (superquadric_distance.h).
+#pragma once
+
+#include "mechanics/geometry/superquadric_chart.h"
+
+namespace mb {
+
+struct Foot {
+  ChartPoint at;
+  double d;        // (x - y) . n
+  Vector3d e;      // x - y - d n
+  double miss;     // |e|
+  double squared;  // |x - y|^2
+};
+Foot foot_at(const ChartPoint& at, const Vector3d& x);
+
+// x [-] > 0 in units of the chart.
+Foot foot_outside(const OctantChart& chart, const Vector3d& x);
+Foot foot_inside(const OctantChart& chart, const Vector3d& x);                           // of all minima the least
+Foot minimum_near(const OctantChart& chart, const Vector3d& x, const ChartPoint& from);  // of |x - y|, for x inside
+
+}  // namespace mb
