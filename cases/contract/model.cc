@@ -1,6 +1,15 @@
 #include "cases/contract/model.h"
 
+#include <stdexcept>
+
 namespace mb {
+
+ContactPoints FullModel::contact_points(const RigidSurface&, double) const {
+  throw std::logic_error("this model of a body cannot touch anything");
+}
+VectorXd FullModel::translation(const Vector3d&) const {
+  throw std::logic_error("this model of a body cannot be moved as a whole");
+}
 
 Index EvaluationPoints::size() const { return volume.points.cols() + surface.points.cols() + probes.cols(); }
 

@@ -35,9 +35,10 @@ class FullModel {
   virtual MatrixXd polynomials(int degree) const = 0;
   // Points of the boundary that may touch an obstacle, which stands in the body's axes as at the first touch: faces
   // within `reach` [m] of it that look at it. Throws std::invalid_argument where there is none.
-  virtual ContactPoints contact_points(const RigidSurface& surface, double reach) const = 0;
-  virtual VectorXd translation(
-      const Vector3d& direction) const = 0;  // n: by `direction` [m] of a body without supports
+  // Throws std::logic_error of a model that cannot touch, likewise `translation`.
+  virtual ContactPoints contact_points(const RigidSurface& surface, double reach) const;
+  // Unknowns that move a body without supports by `direction` [m]: n.
+  virtual VectorXd translation(const Vector3d& direction) const;
   virtual Index n_cells() const = 0;
   virtual double mesh_volume() const = 0;  // [m^3]
 };

@@ -100,7 +100,7 @@ TEST(RodStepTest, AnswersAtThePointsOfAScene) {
       const VectorXd t = sample_times(scene);
       const Trajectory answer = exact_solution("rod-step").at(scene, points, t);
       ASSERT_EQ(answer.bodies.size(), 1u);
-      const auto& [displacement, strain] = answer.bodies[0];
+      const MatrixXd &displacement = answer.bodies[0].displacement, &strain = answer.bodies[0].strain;
       ASSERT_EQ(displacement.rows(), 3 * points.size());
       ASSERT_EQ(strain.rows(), 6 * points.n_strained());
       // pulled along +z: outward at z-max, inward at z-min

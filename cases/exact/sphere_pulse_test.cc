@@ -193,7 +193,7 @@ TEST(SpherePulseTest, AnswersAtThePointsOfAScene) {
   const VectorXd t = VectorXd::LinSpaced(13, 0, 6e-4);
   const Trajectory answer = exact_solution("sphere-radial-pulse").at(scene, points, t);
   ASSERT_EQ(answer.bodies.size(), 1u);
-  const auto& [u, strain] = answer.bodies[0];
+  const MatrixXd &u = answer.bodies[0].displacement, &strain = answer.bodies[0].strain;
   ASSERT_EQ(u.rows(), 3 * points.size());
   ASSERT_EQ(strain.rows(), 6 * points.n_strained());
   EXPECT_TRUE(u.allFinite() && strain.allFinite());

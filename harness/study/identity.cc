@@ -30,6 +30,7 @@ std::string run_hash(const Scene& scene, const Contender& c) {
 std::string analysis_hash(const Scene& scene, const std::string& analysis) {
   std::string study = fmt::format("{} {:a}\n", fmt::join(scene.study.methods, ","), scene.study.load_tolerance);
   for (const int r : scene.study.modes) study += fmt::format("{} ", r);
+  for (const double h : scene.study.contact_steps) study += fmt::format("{:a} ", h);
   for (const Stepping& s : scene.study.steppings) {
     study += fmt::format("\n{} {} {}", s.integrator, fmt::join(s.methods, ","), fmt::join(s.modes, ","));
     for (const double x : s.time_steps) study += fmt::format(" {:a}", x);

@@ -16,6 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double h = 1e-5;      // of differences: Newton then gains five digits a step
 constexpr int max_steps = 100;  // halvings near sharp edges of the obstacle; smooth pairs take three to six
+constexpr int max_trials = 60;
 constexpr double converged = 1e-8;
 constexpr int max_crossings = 16;
 constexpr int max_supports = 20;
@@ -163,20 +164,37 @@ std::optional<NearPoint> Descent::beyond(const NearPoint& p, const Model& m) con
   return std::nullopt;
 }
 
-// A point along the step that lies lower by a part of what the slope promises (Armijo); parts from parabolas.
+// A point along the step that lies lower by a part of what the slope promises (Armijo) and where f does not rise again
+// (Wolfe): across edges of the obstacle f is a valley with a bottom as narrow as the gap. By secants and halves of the
+// slope along the step; the lowest point seen where they come to no end.
 std::optional<NearPoint> Descent::lower(const NearPoint& p, const Model& m, const Eigen::Vector2d& step,
                                         double t) const {
-  const double promise = m.slope.dot(step);
-  for (double part = 1; part > 1e-12;) {
+  const double slope0 = m.slope.dot(step);
+  if (!(slope0 < 0)) return std::nullopt;
+  double left = 0, right = 1, slope_left = slope0, slope_right = 0;
+  std::optional<NearPoint> lowest;
+  for (int i = 0; i < max_trials; ++i) {
+    double part = right;
+    if (i > 0) {
+      const double secant = left + (right - left) * slope_left / (slope_left - slope_right), margin = 0.1 * (right - left);
+      const bool good = slope_right > 0 && i % 3 != 2;
+      part = good ? std::clamp(secant, left + margin, right - margin) : 0.5 * (left + right);
+    }
     const PatchPoint at{p.at.patch, clamped(p.at.s + part * step[0]), clamped(p.at.t + part * step[1])};
     if (at.s == p.at.s && at.t == p.at.t) break;
-    NearPoint q = this->at(at, t);
-    const double fall = p.gap.value - q.gap.value;
-    if (fall >= -1e-4 * part * promise) return q;
-    const double vertex = 0.5 * promise * part / (promise * part + fall);
-    part *= vertex > 0.05 && vertex < 0.5 ? vertex : vertex <= 0.05 ? 0.05 : 0.5;
+    const NearPoint q = this->at(at, t);
+    const SurfacePoint x = surface_.patch(at.patch).at(at.s, at.t);
+    const double slope = (q.motion.F.transpose() * q.gap.normal).dot(step[0] * x.by_s + step[1] * x.by_t);
+    const bool low = q.gap.value <= p.gap.value + 1e-4 * part * slope0;
+    if (low && (!lowest || q.gap.value < lowest->gap.value)) lowest = q;
+    if (low && slope <= -0.5 * slope0) return lowest;
+    if (low && slope <= 0)
+      left = part, slope_left = slope;
+    else
+      right = part, slope_right = slope;
+    if (right - left < 1e-15 * right) break;
   }
-  return std::nullopt;
+  return lowest;
 }
 
 NearPoint Descent::with_normal(NearPoint p, const Model& m, const Eigen::Vector2d& step) {
@@ -221,7 +239,12 @@ NearPoint Descent::newton(NearPoint p, double t, double level, double tolerance)
     const double promise = -0.5 * m.slope.dot(step), rounding = 8 * eps * (p.motion.x.norm() + p.X.norm());
     if (!(promise > converged * std::max(tolerance, p.gap.value - level))) return with_normal(p, m, step);
     if (promise > rounding) {
-      const auto q = lower(p, m, step, t);
+      auto q = lower(p, m, step, t);
+      // One parameter alone, where the other spoils the step.
+      for (int a = 0; a < 2 && !(q && p.gap.value - q->gap.value > 0.1 * promise); ++a) {
+        const auto alone = lower(p, m, step[a] * Eigen::Vector2d::Unit(a), t);
+        if (alone && !(q && q->gap.value <= alone->gap.value)) q = alone;
+      }
       if (!q) return with_normal(p, m, step);
       p = *q;
     } else {

@@ -20,9 +20,8 @@ class PolynomialMap {
   // coefficients a [m] 3 x monomials.size(). Throws std::invalid_argument for another size or what is not finite.
   PolynomialMap(const Monomials& monomials, const Eigen::Ref<const Matrix3Xd>& coefficients);
 
-  const Monomials& monomials() const {
-    return monomials_;
-  }  // up to the highest degree whose coefficients are not all 0
+  // Up to the highest degree whose coefficients are not all 0.
+  const Monomials& monomials() const { return monomials_; }
 
   // At material points X [m], also outside the box. NaN propagates. Many points are evaluated 16 at a time.
   Vector3d position(const Vector3d& X) const { return X + displacement(X); }  // x [m]

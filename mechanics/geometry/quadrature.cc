@@ -7,7 +7,7 @@
 #include "mechanics/geometry/gauss.h"
 #include "mechanics/geometry/overloaded.h"
 #include "mechanics/geometry/shape.h"
-#include "mechanics/geometry/superquadric.h"
+#include "mechanics/geometry/superquadric_quadrature.h"
 
 namespace mb {
 
@@ -139,55 +139,13 @@ Quadrature ball_volume(const Sphere& s) {
   return sphere_rule(r, volume(Shape{s}) * radial.w, 6, 12);
 }
 
-// Points x = y / N(y) of the surface, n x n in each quarter of the faces of the box |y_i| <= a_i: quarters, because
-// derivatives jump at coordinate planes where e > 1. The angle is equally spaced on a sphere: y_i / a_i = tan(xi pi/4).
-// Measures (superquadric_measure.cc): a third of the cone from the centre a1 a2 a3 / (3 N^3), area that by 3 |grad N|.
-struct Cones {
-  Matrix3Xd points;       // [m]
-  VectorXd volume, area;  // [m^3], [m^2] not yet scaled to the known sums
-};
-Cones cones(const Superquadric& s, int n) {
-  const Rule gauss = gauss_legendre(n);
-  Cones all{Matrix3Xd(3, 24 * n * n), VectorXd(24 * n * n), VectorXd(24 * n * n)};
-  Index at = 0;
-  for (int face = 0; face < 24; ++face)
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j, ++at) {
-        const double t = std::tan(0.25 * pi * gauss.x[i]), r = std::tan(0.25 * pi * gauss.x[j]);
-        const int axis = face / 8;
-        Vector3d u;
-        u[axis] = face & 1 ? -1 : 1;
-        u[(axis + 1) % 3] = face & 2 ? -t : t;
-        u[(axis + 2) % 3] = face & 4 ? -r : r;
-        const GaugeDerivatives N = gauge_derivatives(s, s.semi_axes.cwiseProduct(u));
-        all.points.col(at) = s.semi_axes.cwiseProduct(u) / N.value;
-        all.volume[at] = gauss.w[i] * gauss.w[j] * (1 + t * t) * (1 + r * r) / (N.value * N.value * N.value);
-        all.area[at] = all.volume[at] * N.gradient.norm();
-      }
-  return all;
-}
-
-Quadrature superquadric_volume(const Superquadric& s) {
-  const Cones outer = cones(s, 2);
-  const Rule radial = gauss_legendre(3);
-  const VectorXd weights = volume(Shape{s}) / outer.volume.sum() * outer.volume;
-  std::vector<Quadrature> shells;
-  for (int i = 0; i < 3; ++i) shells.push_back({std::cbrt(radial.x[i]) * outer.points, radial.w[i] * weights});
-  return concatenate(shells);
-}
-
-Quadrature superquadric_surface(const Superquadric& s) {
-  const Cones outer = cones(s, 3);
-  return {outer.points, surface_area(s) / outer.area.sum() * outer.area};
-}
-
 }  // namespace
 
 Quadrature volume_quadrature(const Shape& shape) {
   return std::visit(
       overloaded{[](const Box& b) { return box_rule(b.size, n_volume); },
                  [](const Cylinder& c) { return cylinder_volume(c); }, [](const Sphere& s) { return ball_volume(s); },
-                 [](const Superquadric& s) { return superquadric_volume(s); }},
+                 [](const Superquadric& s) { return superquadric_volume_quadrature(s); }},
       shape);
 }
 
@@ -198,7 +156,7 @@ Quadrature surface_quadrature(const Shape& shape) {
                    return sphere_rule(VectorXd::Constant(1, s.radius),
                                       VectorXd::Constant(1, 4 * pi * s.radius * s.radius), 10, 20);
                  },
-                 [](const Superquadric& s) { return superquadric_surface(s); }},
+                 [](const Superquadric& s) { return superquadric_surface_quadrature(s); }},
       shape);
 }
 

@@ -64,7 +64,7 @@ GaugeDerivatives derivatives_in_octant(const Superquadric& body, const Levels& l
   H(1, 2) = H(2, 1) = -(q - 1) * R * W * S / along.norm;
   H(2, 2) = (q - 1) * curving(along.second, q) * along.first * R / along.norm;
   const Vector3d scale = body.semi_axes.cwiseInverse();
-  return {along.norm, gradient, scale.asDiagonal() * H * scale.asDiagonal()};
+  return {along.norm, gradient, H.cwiseProduct(scale * scale.transpose())};
 }
 
 // At c x, where x has the largest coordinate 1.

@@ -25,7 +25,7 @@ double gauge(const Superquadric& body, const Vector3d& x);           // N [-] >=
 struct GaugeDerivatives {
   double value;             // N [-]
   Vector3d gradient;        // [1/m]
-  Eigen::Matrix3d hessian;  // [1/m^2] symmetric, positive semidefinite, hessian x = 0; entries <= 2e10 / (N a_min^2)
+  Eigen::Matrix3d hessian;  // [1/m^2] symmetric, positive semidefinite, hessian x = 0; like 1 / |x|
 };
 GaugeDerivatives gauge_derivatives(const Superquadric& body, const Vector3d& x);
 
@@ -33,7 +33,7 @@ GaugeDerivatives gauge_derivatives(const Superquadric& body, const Vector3d& x);
 Vector3d outward_normal(const Superquadric& body, const Vector3d& x);
 
 // Principal curvatures of the surface N = const through x, positive where it bends away from the normal (sphere: 1/R).
-// Finite where the Hessian above is; at the centre all are 0.
+// Finite as the Hessian above; at the centre all are 0.
 struct PrincipalCurvatures {
   Eigen::Vector2d values;                  // [1/m] ascending, >= 0
   Eigen::Matrix<double, 3, 2> directions;  // [-] orthonormal, tangent to the surface
@@ -46,7 +46,11 @@ PrincipalCurvatures principal_curvatures(const Superquadric& body, const Vector3
 // Superquadrics, sect. 2.3). Powers in [0, 40], else std::invalid_argument.
 double moment(const Superquadric& body, int i, int j, int k);
 
-// Area [m^2] by a double exponential rule, relative error below 1e-12 (measured against a rule of half the step).
-double surface_area(const Superquadric& body);
+// Over the surface, by a double exponential rule; relative errors below 1e-12 (against a rule of half the step).
+struct SurfaceMoments {
+  double area;      // [m^2]
+  Vector3d second;  // [m^4] of x^2, y^2, z^2
+};
+SurfaceMoments surface_moments(const Superquadric& body);
 
 }  // namespace mb

@@ -61,12 +61,13 @@ double moment(const Superquadric& body, int i, int j, int k) {
   return 8 * raised(a[0], i + 1) * raised(a[1], j + 1) * raised(a[2], k + 1) * beta(m / p, n / p) * along / (p * q * q);
 }
 
-double surface_area(const Superquadric& body) {
+SurfaceMoments surface_moments(const Superquadric& body) {
   require_valid(body);
   const auto nodes = double_exponential(1.0 / 12);
   const Vector3d& a = body.semi_axes;
   const Vector3d faces(a[1] * a[2], a[2] * a[0], a[0] * a[1]);  // a1 a2 a3 grad N = faces * (a grad N): no overflow
-  double sum = 0;
+  double area = 0;
+  Vector3d second = Vector3d::Zero();  // by a_i^2
   for (const auto& s : nodes)
     for (const auto& t : nodes)
       for (int axis = 0; axis < 3; ++axis) {
@@ -74,10 +75,12 @@ double surface_area(const Superquadric& body) {
         u[(axis + 1) % 3] = s.x;
         u[(axis + 2) % 3] = t.x;
         const GaugeDerivatives d = gauge_derivatives(body, a.cwiseProduct(u));
-        const Vector3d element = faces.cwiseProduct(a.cwiseProduct(d.gradient));
-        sum += s.w * t.w * element.norm() / (d.value * d.value * d.value);
+        const double element = faces.cwiseProduct(a.cwiseProduct(d.gradient)).norm();
+        const double weight = 8 * s.w * t.w * element / (d.value * d.value * d.value);
+        area += weight;
+        second += weight * (u / d.value).cwiseAbs2();
       }
-  return 8 * sum;
+  return {area, second.cwiseProduct(a.cwiseAbs2())};
 }
 
 }  // namespace mb

@@ -72,8 +72,8 @@ TEST(TriangulationVerification, VolumeAndAreaConvergeWithOrderTwo) {
   const std::vector<std::pair<Shape, double>> round = {
       {Sphere{R}, 4 * pi * R * R},
       {Cylinder{R, L}, 2 * pi * R * (R + L)},
-      {Superquadric{{0.3, 0.1, 0.2}, 1, 1}, surface_area({{0.3, 0.1, 0.2}, 1, 1})},
-      {Superquadric{{0.3, 0.1, 0.2}, 0.6, 0.8}, surface_area({{0.3, 0.1, 0.2}, 0.6, 0.8})}};
+      {Superquadric{{0.3, 0.1, 0.2}, 1, 1}, surface_moments({{0.3, 0.1, 0.2}, 1, 1}).area},
+      {Superquadric{{0.3, 0.1, 0.2}, 0.6, 0.8}, surface_moments({{0.3, 0.1, 0.2}, 0.6, 0.8}).area}};
   for (const auto& [shape, area] : round) {
     const TriangleMesh coarse = triangulate(shape, 16), fine = triangulate(shape, 32);
     EXPECT_LT(enclosed(fine), volume(shape));

@@ -162,6 +162,19 @@ Parts::Parts(const System& system, double gamma, const std::vector<Contact>& con
 
 void FreeArkode::operator()(void* arkode) const { ARKStepFree(&arkode); }
 
+namespace {
+
+constexpr double most_lightness = 30;  // [-]
+
+// sqrt(mean m / m_i), m_i = M_ii: with these, errors are weighed in the M norm, and the many small cells of a graded
+// mesh count by their mass, not by their number.
+VectorXd lightness_of_nodes(const System& system) {
+  const VectorXd m = system.M.diagonal();
+  return (m.mean() / m.array()).sqrt().min(most_lightness);
+}
+
+}  // namespace
+
 Run::Run(const System& system, Parts& parts, const Accuracy& accuracy) : problem_(system.u0.size(), parts) {
   parts.factors.forget();
   const Index n = system.u0.size(), size = problem_.size();
@@ -174,8 +187,9 @@ Run::Run(const System& system, Parts& parts, const Accuracy& accuracy) : problem
   N_VConst(unweighed, tolerance_.get());
   displacement() = system.u0;
   velocity() = system.v0;
-  Vector(NV_DATA_S(tolerance_.get()), n).setConstant(accuracy.tolerance * accuracy.scales.displacement);
-  Vector(NV_DATA_S(tolerance_.get()) + n, n).setConstant(accuracy.tolerance * accuracy.scales.velocity);
+  const VectorXd lightness = lightness_of_nodes(system);
+  Vector(NV_DATA_S(tolerance_.get()), n) = accuracy.tolerance * accuracy.scales.displacement * lightness;
+  Vector(NV_DATA_S(tolerance_.get()) + n, n) = accuracy.tolerance * accuracy.scales.velocity * lightness;
   problem_.tolerance = stage_tolerance * accuracy.tolerance * accuracy.scales.velocity;
   arkode_.reset(ARKStepCreate(nullptr, right_hand_side, 0, y_.get(), context));
   if (!arkode_) throw std::runtime_error("SUNDIALS: ARKStepCreate failed");
