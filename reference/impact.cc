@@ -32,9 +32,9 @@ class PreparedImpact final : public Prepared {
     velocity_ = to_axes(body_.twist.velocity);
     gravity_ = to_axes(scene_->gravity);
     if (free_) system_.v0 = full_->translation(velocity_ + start_ * gravity_);
+    if (!(touchdown_.t < scene_->duration)) return;  // nothing is touched: closed form throughout
     for (const Meeting& meeting : touchdown_.meetings) contacts_.push_back(contact(meeting));
-    if (touchdown_.t < scene_->duration)
-      stepper_ = integrator.prepare_in_contact(system_, contacts_, settings, scene_->duration - start_);
+    stepper_ = integrator.prepare_in_contact(system_, contacts_, settings, scene_->duration - start_);
   }
 
   Trajectory simulate(const Sampling& sampling) const override {

@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
     Laws, ContactStages,
     ::testing::Values(Contact{{}, floor(), {1e9, 0, {}}, {1, 1}}, Contact{{}, tilted(), {1e9, 0.5, {}}, {1, 1}},
                       Contact{{}, tilted(), {1e8, 0, Friction{0.5, 0.01}}, {1, 1}},
-                      Contact{{}, {Sphere{1}, 0, {Vector3d(0.05, 0, -1), {}}}, {1e8, 0.5, {}}, {1, 1}}));
+                      Contact{{}, {Sphere{1}, 0, {Vector3d(0.05, 0, -1), {1, 0, 0, 0}}}, {1e8, 0.5, {}}, {1, 1}}));
 
 TEST(ContactStage, WithoutTouchLeavesTheLinearSolution) {
   const Chain chain(4);

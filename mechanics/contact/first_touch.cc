@@ -9,6 +9,7 @@
 
 #include "mechanics/contact/first_touch_certificate.h"
 #include "mechanics/contact/first_touch_instant.h"
+#include "mechanics/contact/first_touch_search.h"
 #include "mechanics/contact/first_touch_support.h"
 
 namespace mb {
@@ -65,9 +66,8 @@ PatchPoint March::first_guess() {
 }
 
 double March::tolerance(const NearPoint& p, double t) const {
-  const double coordinates = p.motion.x.norm() + p.motion.v.norm() * std::abs(t) + circumradius(surface_.shape()) +
-                             obstacle_.pose.position.norm();
-  return std::max(search_.tolerance, 512 * std::numeric_limits<double>::epsilon() * coordinates);
+  return touch_tolerance(search_, p.motion.x.norm() + p.motion.v.norm() * std::abs(t) +
+                                      circumradius(surface_.shape()) + obstacle_.pose.position.norm());
 }
 
 FirstTouch March::answer(FirstTouch::Kind kind, double t, const NearPoint& p, double clear) const {
@@ -91,16 +91,14 @@ March::Front March::front(double t, double horizon) {
   PatchPoint start = near_.at;
   while (true) {
     if (motion_.spent()) give_up(t);
-    near_ = descent_.nearest(start, t, leaving_ ? -infinity : 0, 1e-12);
+    near_ = descent_.nearest(start, t, leaving_ ? infinity : 0, search_.tolerance);
     const double m = near_.gap.value, tol = tolerance(near_, t);
     if (first && m < -std::max(tol, leaving_ ? search_.depth : 0)) return {answer(FirstTouch::overlap, t, near_, t)};
-    if (m > tol) leaving_ = false;
-    if (leaving_ && m <= highest_ - 0.5 * tol) {
+    const bool within = m <= tol, leaving = leaving_ && within, touching = !leaving_ && within;
+    if (leaving && m <= highest_ - 0.5 * tol)
       return {answer(FirstTouch::hit, at_highest_.t, at_highest_.near, at_highest_.t)};
-    }
-    const bool touching = !leaving_ && m <= tol;
     if (touching && !first) return {touch_at(t)};
-    const double level = leaving_ ? std::max(highest_, m) - tol : touching ? m - tol : 0.5 * tol;
+    const double level = leaving ? std::max(highest_, m) - tol : touching ? m - tol : 0.5 * tol;
     const double ahead = touching ? 0 : horizon;
     const MotionBounds bounds = motion_.bounds(t, t + ahead);
     const Proof proof = prove_clear({t, ahead, near_, level, bounds}, surface_, motion_, obstacle_);
@@ -109,7 +107,8 @@ March::Front March::front(double t, double horizon) {
       continue;
     }
     if (touching) return {touch_at(t)};
-    if (leaving_ && m > highest_) highest_ = m, at_highest_ = {t, near_};
+    leaving_ = leaving;
+    if (leaving && m > highest_) highest_ = m, at_highest_ = {t, near_};
     return {std::nullopt, proof.dt};
   }
 }
@@ -126,23 +125,13 @@ std::optional<FirstTouch> March::run() {
     const bool to_the_end = now.step >= search_.t1 - t;
     const double step = leaving_ && !to_the_end ? 0.5 * now.step : now.step;
     if (!(t + step > t)) {
-      if (auto touch = touch_at(t)) return touch;
+      if (auto touch = leaving_ ? std::nullopt : touch_at(t)) return touch;
       give_up(t);
     }
     before_ = t;
     t = to_the_end ? search_.t1 : t + step;
     horizon = std::min(search_.t1 - t, 4 * step);
   }
-}
-
-void require_valid(const TouchSearch& s) {
-  if (!(std::isfinite(s.t0) && std::isfinite(s.t1) && s.t0 <= s.t1))
-    throw std::invalid_argument(fmt::format("first_touch: from t0 = {} s to t1 = {} s is no interval", s.t0, s.t1));
-  if (!(s.tolerance > 0 && std::isfinite(s.tolerance)))
-    throw std::invalid_argument(fmt::format("first_touch: the tolerance is {} m, not finite and > 0", s.tolerance));
-  if (!(s.depth >= 0 && std::isfinite(s.depth)))
-    throw std::invalid_argument(fmt::format("first_touch: the depth is {} m, not finite and >= 0", s.depth));
-  if (!(s.budget > 0)) throw std::invalid_argument("first_touch: the budget is not positive");
 }
 
 }  // namespace

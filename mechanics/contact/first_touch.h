@@ -58,7 +58,7 @@ struct TouchSearch {
   double tolerance = 1e-12;  /* [m] > 0; at least 512 roundings of the coordinates count (|x| + |v t| and the extent) */
   bool leaving = false;      /* the body starts at the surface and is expected to leave it */
   double depth = 1e-12;      /* [m] >= 0, how far it may then overlap */
-  long budget = 20'000'000;  /* > 0, of evaluations of the motion */
+  long budget = 2'000'000;   /* > 0, of evaluations of the motion; a hard search takes 1e4 */
 };
 
 struct FirstTouch {

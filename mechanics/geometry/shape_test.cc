@@ -4,11 +4,13 @@
 
 #include "mechanics/geometry/gauss.h"
 #include "mechanics/geometry/patch.h"
+#include "mechanics/geometry/superquadric.h"
 
 namespace mb {
 namespace {
 
-const std::vector<Shape> shapes = {Box{{0.3, 0.2, 0.7}}, Box{{1.2, 0.038, 0.089}}, Cylinder{0.05, 0.2}, Sphere{0.07}};
+const std::vector<Shape> shapes = {Box{{0.3, 0.2, 0.7}}, Box{{1.2, 0.038, 0.089}}, Cylinder{0.05, 0.2}, Sphere{0.07},
+                                   Superquadric{{0.3, 0.1, 0.2}, 0.4, 1.7}};
 
 double surface_area(const Shape& shape) {
   if (const auto* b = std::get_if<Box>(&shape)) {
@@ -16,6 +18,7 @@ double surface_area(const Shape& shape) {
     return 2 * (s[0] * s[1] + s[1] * s[2] + s[0] * s[2]);
   }
   if (const auto* c = std::get_if<Cylinder>(&shape)) return 2 * pi * c->radius * (c->radius + c->length);
+  if (const auto* s = std::get_if<Superquadric>(&shape)) return surface_moments(*s).area;
   const double r = std::get<Sphere>(shape).radius;
   return 4 * pi * r * r;
 }
@@ -62,6 +65,7 @@ TEST(Quadrature, IntegratesQuadraticsExactly) {
     if (const auto* b = std::get_if<Box>(&shape)) moment = b->size[2] * b->size[2] / 12;
     if (const auto* c = std::get_if<Cylinder>(&shape)) moment = c->length * c->length / 12;
     if (const auto* s = std::get_if<Sphere>(&shape)) moment = s->radius * s->radius / 5;
+    if (const auto* s = std::get_if<Superquadric>(&shape)) moment = mb::moment(*s, 0, 0, 2) / volume(shape);
     // r^3 is no polynomial's measure for r^2: the ball's radial Gauss rule leaves 1e-4 of it.
     const double tolerance = std::holds_alternative<Sphere>(shape) ? 1e-3 : 1e-13;
     EXPECT_NEAR(integral(q, zz), volume(shape) * moment, tolerance * scale);
@@ -86,6 +90,20 @@ TEST(Faces, NormalsPointOutAndCurvedOnesAreRefused) {
   EXPECT_THROW(plane_normal(Cylinder{1, 2}, "x-max"), std::invalid_argument);
   EXPECT_DOUBLE_EQ(face_distance(Cylinder{1, 2}, "z-min", {0, 0, -3}), 2);
   EXPECT_DOUBLE_EQ(face_distance(Sphere{2}, "surface", {0, 1, 0}), -1);
+}
+
+TEST(Faces, ASuperquadricHasOneCurvedFace) {
+  const Shape octahedron = Superquadric{{1, 2, 3}, 2, 2};
+  EXPECT_EQ(face_names(octahedron), std::vector<std::string>{"surface"});
+  EXPECT_FALSE(is_plane(octahedron, "surface"));
+  EXPECT_THROW(plane_normal(octahedron, "surface"), std::invalid_argument);
+  EXPECT_THROW(face_distance(octahedron, "side", {0, 0, 0}), std::invalid_argument);
+  EXPECT_DOUBLE_EQ(extent(octahedron), 6);
+  EXPECT_NEAR(face_distance(octahedron, "surface", {0, 0, -4}), 1, 1e-15);
+  EXPECT_NEAR(face_distance(octahedron, "surface", {0, 0, 0}), -6.0 / 7, 1e-15);  // of x + y/2 + z/3 = 1
+  EXPECT_TRUE(contains(octahedron, {0.3, 0.6, -0.9}, 0));
+  EXPECT_FALSE(contains(octahedron, {0, 0, -3.1}, 0.09));
+  EXPECT_TRUE(contains(octahedron, {0, 0, -3.1}, 0.11));
 }
 
 TEST(Patch, WeightIsOneAtTheCentreAndVanishesSmoothlyAtTheRim) {

@@ -103,7 +103,9 @@ Distance distance(const Superquadric& s, const Vector3d& x) { return superquadri
 double value(const Superquadric& s, const Vector3d& x) { return superquadric_distance_value(s, x); }
 
 void require_valid(const Shape& shape) {
-  std::visit(overloaded{[](const Box& b) { require_positive(b.size.minCoeff(), "a box's edge"); },
+  std::visit(overloaded{[](const Box& b) {
+                          for (const double edge : b.size) require_positive(edge, "a box's edge");
+                        },
                         [](const Cylinder& c) {
                           require_positive(c.radius, "a cylinder's radius");
                           require_positive(c.length, "a cylinder's length");

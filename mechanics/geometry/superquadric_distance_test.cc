@@ -59,7 +59,7 @@ double searched_distance(const Superquadric& body, const Vector3d& x) {
     const Vector3d y = body.semi_axes.cwiseProduct(u);
     return (inside - y / gauge(body, y)).norm();
   };
-  constexpr int n = 30;
+  constexpr int n = 24;
   struct Candidate {
     double value, s, t;
     int axis;
@@ -73,7 +73,7 @@ double searched_distance(const Superquadric& body, const Vector3d& x) {
       }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
   double best = all[0].value;
-  for (int c = 0; c < 5; ++c) {
+  for (int c = 0; c < 4; ++c) {
     Candidate p = all[c];
     for (double h = 0.05; h > 1e-8; h *= 0.5) {
       const double before = p.value;
