@@ -13,9 +13,8 @@ namespace mb {
 namespace {
 
 using GapOf = std::function<double(const Vector3d& X)>;  // [m]
-
-constexpr double flat = 1e-9;  // [-] of the extent: heights that close are one
-constexpr int n_looks = 512;   // at the way, before touch is pinned down
+constexpr double flat = 1e-9;                            // [-] of the extent: heights that close are one
+constexpr int n_looks = 512;                             // at the way, before touch is pinned down
 
 // The surface's point on the ray through u from the centre, with which every shape is star-shaped.
 Vector3d surface_point(const Shape& shape, const Vector3d& u) {
