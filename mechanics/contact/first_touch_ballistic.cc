@@ -33,7 +33,7 @@ struct Event {
 };
 
 std::optional<Event> touch(const Parabola& m, double tol) {
-  if (m.c <= tol && (m.b > 0 || (m.b == 0 && m.a >= 0))) return Event{FirstTouch::grazing, 0};
+  if (m.c <= tol && m.b >= 0) return Event{FirstTouch::grazing, 0};
   const double s = m.lowest(), low = m.at(s);
   if (low > tol) return std::nullopt;
   const bool turns = m.a > 0 && s < m.S;
@@ -41,12 +41,19 @@ std::optional<Event> touch(const Parabola& m, double tol) {
   return Event{FirstTouch::hit, m.c > 0 ? m.root() : 0};
 }
 
+// Of m that has left and ends within the tolerance or below.
+std::optional<Event> touch_coming_down(const Parabola& m) {
+  if (m.at(m.S) > 0) return Event{FirstTouch::grazing, m.S};
+  const double top = m.b / -m.a;
+  return Event{FirstTouch::hit, top + Parabola{m.at(top), 0, m.a, m.S - top}.root()};
+}
+
 // Of m that starts within the tolerance: nothing counts until it has left, but falling by more than tol/2.
 std::optional<Event> touch_after_leaving(const Parabola& m, double tol) {
   const bool rises = m.b > 0 || (m.b == 0 && m.a >= 0);
   const double top = !rises ? 0 : m.a < 0 ? std::min(m.S, m.b / -m.a) : m.S;
   const double fall = m.at(top) - std::min(m.at(m.lowest()), m.at(m.S));
-  if (m.at(top) > tol) return m.a < 0 && m.at(m.S) <= tol ? touch({m.at(top), 0, m.a, m.S - top}, tol) : std::nullopt;
+  if (m.at(top) > tol) return m.at(m.S) > tol ? std::nullopt : touch_coming_down(m);
   return fall > 0.5 * tol && top < m.S && (!rises || m.a < 0) ? std::optional<Event>({FirstTouch::hit, top})
                                                                : std::nullopt;
 }

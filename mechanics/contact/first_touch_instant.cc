@@ -39,19 +39,28 @@ class Course {
   // The root after a steep descent, from before it: where both have edges the nearest point of a gap near 0 is blurred
   // by rounding, and m has a kink. But the plane between body and obstacle keeps a direction, and the gap that it leaves
   // has the values and slopes of m: a parabola through two of them, at a hundred millionth of the body's size.
-  // Nothing where the descent is not steep enough for that (grazing).
+  // Nothing where the descent is not steep enough for that, or not deep enough for a hit.
   std::optional<Instant> steep_root(const Instant& front, double t0, double t1, double size, double tolerance) const {
-    const double rate = slope(front), gap = descent_.plane_gap(front.near);
-    if (!(rate < 0)) return std::nullopt;
-    const double guess = front.t - gap / rate, span = std::max(1e-8 * size, 2 * gap) / -rate;
-    if (!(guess - span >= t0 && guess - 0.5 * span < guess)) return std::nullopt;
-    const Instant one = at(guess - span, front), two = at(guess - 0.5 * span, one);
-    const double s1 = slope(one), s2 = slope(two), rest = descent_.plane_gap(two.near);
-    if (!(s2 < 0 && s1 < 0.5 * s2 && s1 > 2 * s2 && rest > 0)) return std::nullopt;
-    const double bend = (s2 - s1) / (two.t - one.t), under = s2 * s2 - 2 * bend * rest;
-    if (!(under > 0)) return std::nullopt;
-    Instant root{two.t + 2 * rest / (std::sqrt(under) - s2), two.near};
-    if (!(root.t <= t1)) return std::nullopt;
+    Instant from = front;
+    for (double room = std::max(1e-8 * size, 2 * descent_.plane_gap(front.near));;) {
+      const double guess = from.t - descent_.plane_gap(from.near) / slope(from), span = room / -slope(from);
+      if (!(span > 0 && guess - span >= t0 && guess - 0.5 * span < guess)) return std::nullopt;
+      const Instant one = at(guess - span, from), two = at(guess - 0.5 * span, one);
+      const auto root = meeting(one, two, tolerance);
+      if (!root || room <= 1e-8 * size)
+        return root && root->t <= t1 && std::abs(root->gap()) <= tolerance ? root : std::nullopt;
+      from = two;
+      room = std::max(1e-8 * size, 1e-3 * room);
+    }
+  }
+
+  // Where the parabola of the plane's gap meets 0, and goes on well below the tolerance.
+  std::optional<Instant> meeting(const Instant& one, const Instant& two, double tolerance) const {
+    const double slope1 = slope(one), slope2 = slope(two), gap = descent_.plane_gap(two.near);
+    if (!(slope2 < 0 && slope1 < 0.5 * slope2 && slope1 > 2 * slope2)) return std::nullopt;
+    const double bend = (slope2 - slope1) / (two.t - one.t), width = slope2 * slope2 - 2 * bend * gap;
+    if (!(width > 8 * std::max(0.0, bend) * tolerance)) return std::nullopt;
+    Instant root{two.t + 2 * gap / (std::sqrt(width) - slope2), two.near};
     PatchPoint& point = root.near.at;
     if (const PatchPoint& p = one.near.at; p.patch == point.patch) {
       const double on = (root.t - two.t) / (two.t - one.t);
@@ -60,7 +69,7 @@ class Course {
     }
     root.near = descent_.at(point, root.t);
     root.near.normal = two.near.normal;
-    return std::abs(root.gap()) <= tolerance ? std::optional(root) : std::nullopt;
+    return root;
   }
 
   // m'(a) < 0 <= m'(b): the false position (Illinois) on m'.

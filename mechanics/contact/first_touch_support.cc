@@ -20,6 +20,14 @@ Eigen::Vector2d dual_gradient(double a, double b, double e) {
   return Eigen::Vector2d(1, slope) / std::pow(1 + slope * r, e / 2);
 }
 
+// w / |w| where squares would over- or underflow, too; a of w = 0.
+template <class Vector>
+Vector direction(const Vector& w, const Vector& a) {
+  const double largest = w.cwiseAbs().maxCoeff();
+  if (largest > 1e-120 && largest < 1e120) return w / w.norm();
+  return largest > 0 ? (w / largest).normalized() : a;
+}
+
 Vector3d farthest(const Superquadric& body, const Vector3d& w) {
   const Vector3d scaled = body.semi_axes.cwiseProduct(w.cwiseAbs());
   const double largest = scaled.maxCoeff();
@@ -39,14 +47,12 @@ Vector3d support_point(const Shape& shape, const Vector3d& w) {
                                  return 0.5 * b.size.cwiseProduct(w.unaryExpr(&side));
                                },
                                [&](const Cylinder& c) -> Vector3d {
-                                 const double rho = w.head<2>().norm(), z = 0.5 * c.length * side(w[2]);
-                                 if (!(rho > 0)) return {c.radius, 0, z};
-                                 return {c.radius * (w[0] / rho), c.radius * (w[1] / rho), z};
+                                 const Eigen::Vector2d across =
+                                     c.radius * direction<Eigen::Vector2d>(w.head<2>(), Eigen::Vector2d::UnitX());
+                                 return {across[0], across[1], 0.5 * c.length * side(w[2])};
                                },
                                [&](const Sphere& s) -> Vector3d {
-                                 const double length = w.norm();
-                                 if (!(length > 0)) return {0, 0, s.radius};
-                                 return s.radius * (w / length);
+                                 return s.radius * direction<Vector3d>(w, Vector3d::UnitZ());
                                },
                                [&](const Superquadric& s) { return farthest(s, w); }},
                     shape);

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "mechanics/geometry/polynomial_test_samples.h"
 
@@ -48,6 +51,28 @@ TEST(Regression, ThinShellsKeepTheirRankUntilRounding) {
   EXPECT_EQ(shell(1e-10).rank, 9);
   EXPECT_NEAR(std::log10(shell(1e-6).condition / shell(1e-3).condition), 3, 0.1);  // and the condition number says so
   EXPECT_LT(shell(1e-10).condition, 10);
+}
+
+// All signs and permutations of (1, 2, 3) and (0, 0, 1): x^2, y^2 and z^2 are equals, told apart by rounding alone. It
+// must not decide which of them is left out, lest the fit inside differ from one machine to the next.
+TEST(Regression, RoundingDoesNotDecideBetweenEquals) {
+  std::mt19937 generator(9);
+  std::uniform_real_distribution<double> rounding(-1e-15, 1e-15);
+  for (int trial = 0; trial < 20; ++trial) {
+    Samples s{Matrix3Xd(3, 96), VectorXd::Ones(96)};
+    for (Index i = 0; i < 96; ++i) {
+      std::array<double, 3> x = i < 48 ? std::array{1., 2., 3.} : std::array{0., 0., 1.};
+      for (Index p = 0; p < i % 6; ++p) std::next_permutation(x.begin(), x.end());
+      for (Index a = 0; a < 3; ++a)
+        s.X(a, i) = x[static_cast<size_t>(a)] * (i / 6 >> a & 1 ? -1 : 1) * (1 + rounding(generator));
+      s.X.col(i) /= std::sqrt(i < 48 ? 14. : 1.);
+    }
+    const Field square = [](const Vector3d& X) { return Vector3d(X[0] * X[0], X[1] * X[1], X[2] * X[2]); };
+    const Regression fit = regress(Monomials(2, {0, 0, 0}, ones), s.X, s.w, modes(s.X, {square}));
+    EXPECT_EQ(fit.rank, 9);
+    EXPECT_EQ(fit.modes[0].n_kept, 5);  // x^2, y^2, and 1 - x^2 - y^2 for z^2
+    EXPECT_EQ(fit.basis.coefficients()(3 * monomial_index(0, 0, 2) + 2, 0), 0);
+  }
 }
 
 TEST(Regression, DroppedCoefficientsChangeTheModeByLessThanAllowed) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "mechanics/geometry/superquadric.h"
 #include "mechanics/geometry/superquadric_foot.h"
 #include "mechanics/geometry/superquadric_valid.h"
 #include "mechanics/geometry/tangents.h"
@@ -22,17 +21,14 @@ struct Query {
   OctantChart chart;
   Vector3d x;   // [-] > 0
   double unit;  // [m] of the results: the chart's, where x is beyond `farthest` of those as much more
-  bool outside;
 };
 Query query(const Superquadric& body, const Vector3d& x) {
   require_valid(body);
   const OctantChart chart(body);
   const double greatest = x.cwiseAbs().maxCoeff();
   const double unit = std::max(chart.unit, greatest / farthest);
-  return {chart, (x.cwiseAbs() / unit).cwiseMax(smallest * chart.a), unit, gauge(body, x) >= 1};
+  return {chart, (x.cwiseAbs() / unit).cwiseMax(smallest * chart.a), unit};
 }
-
-Foot foot(const Query& q) { return q.outside ? foot_outside(q.chart, q.x) : foot_inside(q.chart, q.x); }
 
 // k / (1 + k d) in the tangent plane: dn / dx, of dn and dx along the chart's two directions.
 Eigen::Matrix2d bending(const OctantChart& chart, const Foot& f, const Eigen::Matrix<double, 3, 2>& T) {
@@ -57,7 +53,7 @@ Eigen::Matrix2d bending(const OctantChart& chart, const Foot& f, const Eigen::Ma
 
 Distance superquadric_distance(const Superquadric& body, const Vector3d& x) {
   const Query q = query(body, x);
-  const Foot f = foot(q);
+  const Foot f = nearest_foot(q.chart, q.x);
   const Vector3d signs = x.unaryExpr([](double c) { return c < 0 ? -1.0 : 1.0; });
   const Vector3d n = signs.cwiseProduct(f.at.normal);
   const Eigen::Matrix<double, 3, 2> T = tangents(f.at.normal);
@@ -67,7 +63,7 @@ Distance superquadric_distance(const Superquadric& body, const Vector3d& x) {
 
 double superquadric_distance_value(const Superquadric& body, const Vector3d& x) {
   const Query q = query(body, x);
-  return foot(q).d * q.unit;
+  return nearest_foot(q.chart, q.x).d * q.unit;
 }
 
 }  // namespace mb

@@ -10,9 +10,13 @@
 //            through x and along each axis from x, and from the local minima of |x - y| on a grid of 18 x 18 points.
 //            Directions of negative curvature are descended (Dauphin et al. 2014, arXiv:1406.2572).
 //
-// Measured (superquadric_distance_test.cc and 10^6 random points each): outside |e| < 2e-14 (extent + |x|) for
-// semi-axes up to 400 : 1 and all exponents, so that the distance is exact to rounding; inside, semi-axes up to 20 : 1,
-// no minimum was missed that searches from 60 x 60 points or by brute force found, 1e-15 of the extent.
+// Measured on 10^6 random points outside, 3 10^5 inside, some next to or on coordinate planes, all exponents. Outside,
+// semi-axes up to 400 : 1: |e| < 1e-12 (extent + |x|), by which d is exact to |e|^2 / 2d; more than 1e-14 only within
+// 1e-11 of an edge. Inside, semi-axes up to 20 : 1: searches from 45 x 45 points found nothing nearer, and brute force
+// (4500 points, up to 150 : 1, inside and outside) the same distance to 5e-16 of the extent.
+//
+// Takes about 1e-6 s outside, 6e-6 s inside; where edges need the monotone equations 5e-3 s (of bodies with e = 2 less
+// than one point in 10^3).
 #pragma once
 
 #include "mechanics/geometry/signed_distance.h"

@@ -26,7 +26,7 @@ struct Motion {
   Matrix2d point, normal;  // dy, d dn by the two units
   Vector2d weight;         // > 0
 };
-// Units of which y moves by about 1, or (scaled = false) y and n together.
+// Units of which y and n together move by about 1, or (of_point) y alone.
 Motion motion(const OctantChart& chart, const Foot& f, bool of_point) {
   const Eigen::Matrix<double, 3, 2> T = tangents(f.at.normal);
   const std::array<ChartTangent, 2> along{chart.by_sigma(f.at), chart.by_tau(f.at)};
@@ -114,16 +114,21 @@ Foot foot_at(const ChartPoint& at, const Vector3d& x) {
   return {at, d, e, e.norm(), r.squaredNorm()};
 }
 
-Foot foot_outside(const OctantChart& chart, const Vector3d& x) {
-  const Foot f = newton_outside(chart, x, foot_at(chart.on_ray(x), x));
+Foot nearest_foot(const OctantChart& chart, const Vector3d& x) {
+  const Foot on_ray = foot_at(chart.on_ray(x), x);
+  return on_ray.d >= 0 ? foot_outside(chart, x, on_ray) : foot_inside(chart, x, on_ray);
+}
+
+Foot foot_outside(const OctantChart& chart, const Vector3d& x, const Foot& on_ray) {
+  const Foot f = newton_outside(chart, x, on_ray);
   if (f.miss <= 1e-12 * (1 + x.norm())) return f;
   const Foot safe = newton_outside(chart, x, foot_at(projection(chart, x), x));
   return safe.miss < f.miss ? safe : f;
 }
 
 // With B = dn/dy, the Hessian is 1 + d B by arc length; where it is not positive, its modulus.
-Foot minimum_near(const OctantChart& chart, const Vector3d& x, const ChartPoint& from) {
-  Foot f = foot_at(from, x);
+Foot minimum_near(const OctantChart& chart, const Vector3d& x, const Foot& from) {
+  Foot f = from;
   const double enough = least_miss(x);
   for (int k = 0; k < most_steps && f.miss > enough; ++k) {
     const Motion m = motion(chart, f, true);

@@ -15,9 +15,12 @@ struct Foot {
 };
 Foot foot_at(const ChartPoint& at, const Vector3d& x);
 
-// x [-] > 0 in units of the chart.
-Foot foot_outside(const OctantChart& chart, const Vector3d& x);
-Foot foot_inside(const OctantChart& chart, const Vector3d& x);                           // of all minima the least
-Foot minimum_near(const OctantChart& chart, const Vector3d& x, const ChartPoint& from);  // of |x - y|, for x inside
+// x [-] > 0 in units of the chart, inside or outside.
+Foot nearest_foot(const OctantChart& chart, const Vector3d& x);
+
+// Its parts, from the point on the ray through x: outside the only foot, inside of all minima of |x - y| the least.
+Foot foot_outside(const OctantChart& chart, const Vector3d& x, const Foot& on_ray);
+Foot foot_inside(const OctantChart& chart, const Vector3d& x, const Foot& on_ray);
+Foot minimum_near(const OctantChart& chart, const Vector3d& x, const Foot& from);  // of |x - y|, for x inside
 
 }  // namespace mb

@@ -83,10 +83,10 @@ std::array<Vector3d, 3> along_axes(const OctantChart& chart, const Vector3d& x) 
 
 }  // namespace
 
-Foot foot_inside(const OctantChart& chart, const Vector3d& x) {
-  Foot best = minimum_near(chart, x, chart.on_ray(x));
+Foot foot_inside(const OctantChart& chart, const Vector3d& x, const Foot& on_ray) {
+  Foot best = minimum_near(chart, x, on_ray);
   const auto try_from = [&](const ChartPoint& from) {
-    const Foot f = minimum_near(chart, x, from);
+    const Foot f = minimum_near(chart, x, foot_at(from, x));
     if (f.squared < best.squared) best = f;
   };
   // A foot at the distance d is met along the axis nearest to its normal after about d sqrt(3) at most.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "cases/scene/touch_points.h"
+#include "cases/contract/touchdown.h"
 #include "reference/fem/assembly.h"
 #include "reference/fem/contact_surface.h"
 #include "reference/fem/discretisation.h"
@@ -48,10 +48,17 @@ ModalDamping ratios_as_damping(const System& s, const Body& body, const ModeSolv
   return damping;
 }
 
+// [m] body frame, one a contact.
+std::vector<Vector3d> first_touches(const Scene& scene, const Body& body) {
+  std::vector<Vector3d> X;
+  for (const Meeting& meeting : touchdown(scene, body).meetings) X.push_back(meeting.X);
+  return X;
+}
+
 class DealiiModel final : public FullModel {
  public:
   DealiiModel(const Scene& scene, const Body& body, const Resolution& resolution, const ModeSolver& modes)
-      : mesh_(body.shape, resolution, resolution.graded > 0 ? touch_points(scene, body) : std::vector<Vector3d>{}),
+      : mesh_(body.shape, resolution, resolution.graded > 0 ? first_touches(scene, body) : std::vector<Vector3d>{}),
         supports_(fem::condense(mesh_, body.supports)) {
     const fem::Matrices full = fem::assemble(mesh_, body.material);
     const SparseMatrix& T = supports_.T;
