@@ -20,13 +20,15 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class March {
  public:
-  March(const Shape& body, const BodyMotion& motion, const RigidSurface& obstacle, const TouchSearch& search)
+  March(TouchSurface& body, const BodyMotion& motion, const RigidSurface& obstacle, const TouchSearch& search)
       : surface_(body),
         motion_(motion, search),
         obstacle_(obstacle),
         search_(search),
         descent_(surface_, motion_, obstacle),
-        leaving_(search.leaving) {}
+        leaving_(search.leaving) {
+    surface_.trim();
+  }
 
   std::optional<FirstTouch> run();
 
@@ -35,6 +37,7 @@ class March {
   struct Front {
     std::optional<FirstTouch> touch;
     double step = 0;  // [s] the surface is clear so long; 0: no step could be proved
+    bool spent = false;
   };
   PatchPoint first_guess();
   double tolerance(const NearPoint& p, double t) const;
@@ -43,7 +46,7 @@ class March {
   FirstTouch answer(FirstTouch::Kind kind, double t, const NearPoint& p, double clear) const;
   [[noreturn]] void give_up(double t) const;
 
-  TouchSurface surface_;
+  TouchSurface& surface_;
   CountedMotion motion_;
   const RigidSurface& obstacle_;
   const TouchSearch& search_;
@@ -66,8 +69,8 @@ PatchPoint March::first_guess() {
 }
 
 double March::tolerance(const NearPoint& p, double t) const {
-  return touch_tolerance(search_, p.motion.x.norm() + p.motion.v.norm() * std::abs(t) +
-                                      circumradius(surface_.shape()) + obstacle_.pose.position.norm());
+  return touch_tolerance(search_, p.motion.x.norm() + p.motion.v.norm() * std::abs(t) + circumradius(surface_.shape()) +
+                                      obstacle_.pose.position.norm());
 }
 
 FirstTouch March::answer(FirstTouch::Kind kind, double t, const NearPoint& p, double clear) const {
@@ -75,8 +78,9 @@ FirstTouch March::answer(FirstTouch::Kind kind, double t, const NearPoint& p, do
 }
 
 void March::give_up(double t) const {
-  throw std::runtime_error(fmt::format("first_touch: no proof beyond t = {} s, where the gap is {} m, in {} evaluations",
-                                       t, near_.gap.value, motion_.n_evaluations()));
+  throw std::runtime_error(
+      fmt::format("first_touch: no proof beyond t = {} s, where the gap is {} m, in {} evaluations", t, near_.gap.value,
+                  motion_.n_evaluations()));
 }
 
 std::optional<FirstTouch> March::touch_at(double t) {
@@ -109,7 +113,7 @@ March::Front March::front(double t, double horizon) {
     if (touching) return {touch_at(t)};
     leaving_ = leaving;
     if (leaving && m > highest_) highest_ = m, at_highest_ = {t, near_};
-    return {std::nullopt, proof.dt};
+    return {std::nullopt, proof.dt, proof.spent};
   }
 }
 
@@ -124,10 +128,13 @@ std::optional<FirstTouch> March::run() {
     // While leaving half a step: there the concave lower bound is highest, at its end it is down at the level again.
     const bool to_the_end = now.step >= search_.t1 - t;
     const double step = leaving_ && !to_the_end ? 0.5 * now.step : now.step;
-    if (!(t + step > t)) {
-      if (auto touch = leaving_ ? std::nullopt : touch_at(t)) return touch;
-      give_up(t);
-    }
+    // Where cells become too many the nearest point is followed instead, over what is left of its way: the bracket says
+    // so.
+    const double rate = near_.rate(), way = rate < 0 ? near_.gap.value / -rate : 0;
+    const bool stuck = !(t + step > t), slow = now.spent && step < 0.3 * way;
+    if (!leaving_ && (stuck || slow))
+      if (auto touch = touch_at(t); touch && (stuck || touch->bracket < 4 * way)) return touch;
+    if (stuck) give_up(t);
     before_ = t;
     t = to_the_end ? search_.t1 : t + step;
     horizon = std::min(search_.t1 - t, 4 * step);
@@ -137,6 +144,12 @@ std::optional<FirstTouch> March::run() {
 }  // namespace
 
 std::optional<FirstTouch> first_touch(const Shape& body, const BodyMotion& motion, const RigidSurface& obstacle,
+                                      const TouchSearch& search) {
+  TouchSurface surface(body);
+  return first_touch(surface, motion, obstacle, search);
+}
+
+std::optional<FirstTouch> first_touch(TouchSurface& body, const BodyMotion& motion, const RigidSurface& obstacle,
                                       const TouchSearch& search) {
   require_valid(search);
   return March(body, motion, obstacle, search).run();

@@ -47,35 +47,40 @@ struct MotionBounds {
 class BodyMotion {
  public:
   virtual ~BodyMotion() = default;
-  // Of many points [m] at one time [s]: what depends on t alone is found once. Written in place (out.size() = X.size()):
-  // the inner loop allocates nothing. Calls with the same t follow each other.
+  // Of many points [m] at one time [s]: what depends on t alone is found once. Written in place (out.size() =
+  // X.size()): the inner loop allocates nothing. Calls with the same t follow each other.
   virtual void at(double t, std::span<const Vector3d> X, std::span<PointMotion> out) const = 0;
   virtual MotionBounds bounds(double ta, double tb) const = 0;  // ta <= tb [s]
 };
 
 struct TouchSearch {
-  double t0, t1;             /* [s] finite, t0 <= t1 */
-  double tolerance = 1e-12;  /* [m] > 0; at least 512 roundings of the coordinates count (|x| + |v t| and the extent) */
-  bool leaving = false;      /* the body starts at the surface and is expected to leave it */
-  double depth = 1e-12;      /* [m] >= 0, how far it may then overlap */
-  long budget = 2'000'000;   /* > 0, of evaluations of the motion; a hard search takes 1e4 */
+  double t0, t1;            /* [s] finite, t0 <= t1 */
+  double tolerance = 1e-12; /* [m] > 0; at least 512 roundings of the coordinates count (|x| + |v t| and the extent) */
+  bool leaving = false;     /* the body starts at the surface and is expected to leave it */
+  double depth = 1e-12;     /* [m] >= 0, how far it may then overlap */
+  long budget = 2'000'000;  /* > 0, of evaluations of the motion; a hard search takes 1e4 */
 };
 
 struct FirstTouch {
   enum Kind { hit, grazing, overlap };
   Kind kind;
-  double t;                 // [s]
-  Vector3d X, x;            // [m] the point of the body that touches, at rest and in the world; of several one
-  Vector3d normal;          // [-] of the obstacle, outward
-  double gap;               // [m] m(t)
-  double bracket;           // [s] >= 0: for certain there is no touch before t - bracket
-  long n_evaluations;       // of the motion of a point
+  double t;            // [s]
+  Vector3d X, x;       // [m] the point of the body that touches, at rest and in the world; of several one
+  Vector3d normal;     // [-] of the obstacle, outward
+  double gap;          // [m] m(t)
+  double bracket;      // [s] >= 0: for certain there is no touch before t - bracket
+  long n_evaluations;  // of the motion of a point
 };
 
 // Nothing where the body stays clear. Throws std::invalid_argument for a search, shape or obstacle out of range and
 // where the motion or its bounds are not finite (or a bound negative); std::runtime_error, with time and gap, where the
 // budget is spent without an answer: a body that skims along the obstacle at a gap near the tolerance.
 std::optional<FirstTouch> first_touch(const Shape& body, const BodyMotion& motion, const RigidSurface& obstacle,
+                                      const TouchSearch& search);
+
+// The same for many flights of one body: its surface is divided once, and the finer where it touches.
+class TouchSurface;  // first_touch_surface.h
+std::optional<FirstTouch> first_touch(TouchSurface& body, const BodyMotion& motion, const RigidSurface& obstacle,
                                       const TouchSearch& search);
 
 }  // namespace mb

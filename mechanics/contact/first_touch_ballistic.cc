@@ -55,7 +55,7 @@ std::optional<Event> touch_after_leaving(const Parabola& m, double tol) {
   const double fall = m.at(top) - std::min(m.at(m.lowest()), m.at(m.S));
   if (m.at(top) > tol) return m.at(m.S) > tol ? std::nullopt : touch_coming_down(m);
   return fall > 0.5 * tol && top < m.S && (!rises || m.a < 0) ? std::optional<Event>({FirstTouch::hit, top})
-                                                               : std::nullopt;
+                                                              : std::nullopt;
 }
 
 }  // namespace

@@ -12,11 +12,12 @@
 namespace mb {
 
 struct BallisticPath {
-  Vector3d position, velocity, acceleration; /* [m], [m/s] of the centre at t0, [m/s^2] constant */
+  Vector3d position, velocity, acceleration;  /* [m], [m/s] of the centre at t0, [m/s^2] constant */
   Eigen::Quaterniond orientation{1, 0, 0, 0}; /* [-] of unit length; of a spinning sphere any: X is in this frame */
 };
 
-// Throws std::invalid_argument where the obstacle is no half-space, the path is not finite, or for a search out of range.
+// Throws std::invalid_argument where the obstacle is no half-space, the path is not finite, or for a search out of
+// range.
 std::optional<FirstTouch> first_touch(const Shape& body, const BallisticPath& path, const RigidSurface& half_space,
                                       const TouchSearch& search);
 

@@ -69,7 +69,8 @@ TEST(FirstTouchBallistic, SaysWhichKind) {
   // Rising against a lift of 1 m/s^2: the least height is h - v^2/2.
   for (const double gap : {-1e-9, 1e-9}) {
     const BallisticPath dip{{0, 0, 1 + gap}, {0, 0, -1}, {0, 0, 1}};
-    const auto wide = first_touch(ball, dip, table, {0, 3, 1e-8}), narrow = first_touch(ball, dip, table, {0, 3, 1e-10});
+    const auto wide = first_touch(ball, dip, table, {0, 3, 1e-8}),
+               narrow = first_touch(ball, dip, table, {0, 3, 1e-10});
     ASSERT_TRUE(wide);
     EXPECT_EQ(wide->kind, FirstTouch::grazing);
     EXPECT_EQ(wide->t, 1);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double part = 0.99;  // of the time that the nearest points leave: the rest is room for cells to be proved
-constexpr size_t most_cells = 5'000;        // of one level
-constexpr long most_evaluations = 100'000;  // of one proof
+constexpr size_t most_cells = 3'000;       // of one level
+constexpr long most_evaluations = 40'000;  // of one proof
 
 // gap(x) >= gap + n . (x - y)
 struct Plane {
@@ -95,8 +95,8 @@ class Bound {
   Vector3d w_, w_rate_;
 };
 
-// The last dt up to the horizon with G >= level, from below; 0 where G(0) is not above. G is concave: a chord's root has
-// G >= level, the root of the line through two points on the left has G <= level.
+// The last dt up to the horizon with G >= level, from below; 0 where G(0) is not above. G is concave: a chord's root
+// has G >= level, the root of the line through two points on the left has G <= level.
 template <class Function>
 double last_above(const Function& G, double level, double horizon) {
   double left = 0, above = G(0.0) - level, right = horizon, below = G(horizon) - level;
@@ -136,7 +136,7 @@ class Prover {
     return {shape_, plane, surface_.cell(cells_[place]), motions_[place], now_.bounds};
   }
   int look(const Plane& plane);
-  void split(bool spent);
+  void split();
   bool proves(const Open& open) const;
   double last(const Open& open) const;
 
@@ -145,7 +145,8 @@ class Prover {
   CountedMotion& motion_;
   const RigidSurface& obstacle_;
   const Shape& shape_;
-  double dt_ = 0;           // what is being proved: cells make it shorter
+  double dt_ = 0;  // what is being proved: cells make it shorter
+  bool spent_ = false;
   std::vector<int> cells_;  // of one level, and what is known of them
   std::vector<Vector3d> X_;
   std::vector<PointMotion> motions_;
@@ -175,8 +176,8 @@ std::optional<double> Prover::whole_body(const Bound& bound) const {
   return dt;
 }
 
-// Leaves the cells that the plane does not prove, with other planes: their own, and those adapted to the body there. The
-// answer is one with a clearly nearer middle, or -1.
+// Leaves the cells that the plane does not prove, with other planes: their own, and those adapted to the body there.
+// The answer is one with a clearly nearer middle, or -1.
 int Prover::look(const Plane& plane) {
   X_.clear();
   for (const int k : cells_) X_.push_back(surface_.cell(k).X);
@@ -220,12 +221,12 @@ double Prover::last(const Open& open) const {
 }
 
 // Into quarters; where there is no more room for them the time gives way.
-void Prover::split(bool spent) {
+void Prover::split() {
   std::vector<int> quarters;
   for (const Open& open : open_) {
     if (proves(open)) continue;
     const int k = cells_[open.place];
-    if (spent || surface_.cell(k).depth == TouchSurface::max_depth) {
+    if (spent_ || surface_.cell(k).depth == TouchSurface::max_depth) {
       dt_ = last(open);
       continue;
     }
@@ -250,9 +251,10 @@ Proof Prover::run() {
   const long start = motion_.n_evaluations();
   while (!cells_.empty()) {
     if (const int lower = look(plane); lower >= 0) return {0, lower};
-    split(open_.size() > most_cells || motion_.n_evaluations() - start > most_evaluations);
+    spent_ = spent_ || open_.size() > most_cells || motion_.n_evaluations() - start > most_evaluations;
+    split();
   }
-  return {dt_};
+  return {dt_, -1, spent_};
 }
 
 }  // namespace

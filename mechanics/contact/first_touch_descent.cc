@@ -74,8 +74,8 @@ Eigen::Vector2d projected_newton(const PatchPoint& p, const Eigen::Vector2d& slo
 // Onto the border where a step was to end there.
 double clamped(double z) { return z < 4 * eps ? 0 : z > 1 - 4 * eps ? 1 : z; }
 
-// gap() counts curvatures above 1e9 / extent as that (signed_distance.h). Nearer to a sharp edge than 1e-9 of the extent
-// they are 1 / gap, and Newton's steps would be too long.
+// gap() counts curvatures above 1e9 / extent as that (signed_distance.h). Nearer to a sharp edge than 1e-9 of the
+// extent they are 1 / gap, and Newton's steps would be too long.
 Gap sharp_gap(const RigidSurface& obstacle, const Vector3d& x) {
   Gap g = gap(obstacle, x);
   const auto* shape = std::get_if<Shape>(&obstacle.shape);
@@ -159,7 +159,8 @@ std::optional<NearPoint> Descent::beyond(const NearPoint& p, const Model& m) con
     const SurfacePoint there = surface_.patch(across.point.patch).at(across.point.s, across.point.t);
     const Vector3d& inwards = across.edge < 2 ? there.by_s : there.by_t;
     const double slope = (p.motion.F.transpose() * p.gap.normal).dot(inwards) * (across.edge % 2 ? -1 : 1);
-    if (slope < -1e-9 * m.steepness * inwards.norm()) return NearPoint{across.point, there.x, p.motion, p.gap, p.normal};
+    if (slope < -1e-9 * m.steepness * inwards.norm())
+      return NearPoint{across.point, there.x, p.motion, p.gap, p.normal};
   }
   return std::nullopt;
 }
@@ -176,7 +177,8 @@ std::optional<NearPoint> Descent::lower(const NearPoint& p, const Model& m, cons
   for (int i = 0; i < max_trials; ++i) {
     double part = right;
     if (i > 0) {
-      const double secant = left + (right - left) * slope_left / (slope_left - slope_right), margin = 0.1 * (right - left);
+      const double secant = left + (right - left) * slope_left / (slope_left - slope_right),
+                   margin = 0.1 * (right - left);
       const bool good = slope_right > 0 && i % 3 != 2;
       part = good ? std::clamp(secant, left + margin, right - margin) : 0.5 * (left + right);
     }
@@ -203,9 +205,7 @@ NearPoint Descent::with_normal(NearPoint p, const Model& m, const Eigen::Vector2
   return p;
 }
 
-NearPoint Descent::nearest(const PatchPoint& start, double t) const {
-  return nearest(start, t, infinity, 0);
-}
+NearPoint Descent::nearest(const PatchPoint& start, double t) const { return nearest(start, t, infinity, 0); }
 
 std::optional<NearPoint> Descent::by_support(const NearPoint& p, double t) const {
   const Vector3d w = p.motion.F.transpose() * p.gap.normal;

@@ -3,9 +3,9 @@
 //   f_a = w . X_a,   f_ab = X_a^T F^T H F X_b + (w . X_a)_b at fixed n,   w = F^T n
 //
 // n and H the gap's normal and Hessian, X_a the derivatives of the patch; Newton's method in the two parameters, the
-// second part of f_ab by differences. At edges of a patch a parameter rests where f falls outwards (Bertsekas 1982, SIAM
-// J. Control Optim. 20, projected Newton), unless it falls on in the patch beyond. The result is a local minimum; that
-// nothing lies nearer is proved elsewhere.
+// second part of f_ab by differences. At edges of a patch a parameter rests where f falls outwards (Bertsekas 1982,
+// SIAM J. Control Optim. 20, projected Newton), unless it falls on in the patch beyond. The result is a local minimum;
+// that nothing lies nearer is proved elsewhere.
 //
 // Superquadrics with e near 2 are almost sharp, f like |s|^1.04 beside an edge: no prey for Newton. What helps is the
 // support point of -w, which is the nearest of a rigid body before a plane: it is tried after Newton's method, too.
@@ -58,11 +58,11 @@ class Descent {
 
  private:
   struct Model {
-    Eigen::Vector2d slope;                  // f_a
-    Eigen::Matrix2d bend;                   // f_ab
-    Eigen::Matrix<double, 3, 2> turning;    // H F X_a
-    Eigen::Vector2d size;                   // |X_a|
-    double steepness;                       // |w|
+    Eigen::Vector2d slope;                // f_a
+    Eigen::Matrix2d bend;                 // f_ab
+    Eigen::Matrix<double, 3, 2> turning;  // H F X_a
+    Eigen::Vector2d size;                 // |X_a|
+    double steepness;                     // |w|
   };
   Model model(const NearPoint& p, double t) const;
   NearPoint newton(NearPoint p, double t, double level, double tolerance) const;

@@ -37,8 +37,8 @@ class Course {
   }
 
   // The root after a steep descent, from before it: where both have edges the nearest point of a gap near 0 is blurred
-  // by rounding, and m has a kink. But the plane between body and obstacle keeps a direction, and the gap that it leaves
-  // has the values and slopes of m: a parabola through two of them, at a hundred millionth of the body's size.
+  // by rounding, and m has a kink. But the plane between body and obstacle keeps a direction, and the gap that it
+  // leaves has the values and slopes of m: a parabola through two of them, at a hundred millionth of the body's size.
   // Nothing where the descent is not steep enough for that, or not deep enough for a hit.
   std::optional<Instant> steep_root(const Instant& front, double t0, double t1, double size, double tolerance) const {
     Instant from = front;
@@ -100,17 +100,15 @@ class Course {
 
 }  // namespace
 
-std::optional<TouchInstant> touch_instant(const Descent& descent, const Instant& front, double t0, double before, double t1,
-                                          double tolerance, double size) {
+std::optional<TouchInstant> touch_instant(const Descent& descent, const Instant& front, double t0, double before,
+                                          double t1, double tolerance, double size) {
   const Course m(descent);
   if (auto root = m.steep_root(front, t0, t1, size, tolerance)) return TouchInstant{FirstTouch::hit, *root};
   const Instant a = m.at(front.t, front);
   const auto graze = [&](const Instant& low) {
     return low.gap() <= tolerance ? std::optional<TouchInstant>({FirstTouch::grazing, low}) : std::nullopt;
   };
-  const auto hit = [&](const Instant& low) {
-    return TouchInstant{FirstTouch::hit, a.gap() > 0 ? m.root(a, low) : a};
-  };
+  const auto hit = [&](const Instant& low) { return TouchInstant{FirstTouch::hit, a.gap() > 0 ? m.root(a, low) : a}; };
   if (a.rate() >= 0) {
     if (!(before < a.t)) return graze(a);
     const Instant earlier = m.at(before, a);

@@ -7,8 +7,8 @@
 namespace mb {
 
 struct Instant {
-  double t;        // [s]
-  NearPoint near;  // the nearest point then
+  double t;                                      // [s]
+  NearPoint near;                                // the nearest point then
   double gap() const { return near.gap.value; }  // [m] m
   double rate() const { return near.rate(); }    // [m/s] m'
 };
@@ -20,7 +20,7 @@ struct TouchInstant {
 
 // What becomes of a surface that at `front` has come to the tolerance [m], up to t1 [s]; since `before` [s] it was
 // clear; the motion is asked for in [t0, t1]. Nothing where it turns above the tolerance. size [m]: of the body.
-std::optional<TouchInstant> touch_instant(const Descent& descent, const Instant& front, double t0, double before, double t1,
-                                          double tolerance, double size);
+std::optional<TouchInstant> touch_instant(const Descent& descent, const Instant& front, double t0, double before,
+                                          double t1, double tolerance, double size);
 
 }  // namespace mb

@@ -26,10 +26,14 @@ class Random {
   double size() { return logarithmic(0.015, 0.15); }
   Shape shape(int n_kinds) {
     switch (static_cast<int>(uniform(0, n_kinds))) {
-      case 0: return Box{{size(), size(), size()}};
-      case 1: return Cylinder{size() / 2, size()};
-      case 2: return Sphere{size() / 2};
-      default: return Superquadric{{size() / 2, size() / 2, size() / 2}, uniform(0.1, 2), uniform(0.1, 2)};
+      case 0:
+        return Box{{size(), size(), size()}};
+      case 1:
+        return Cylinder{size() / 2, size()};
+      case 2:
+        return Sphere{size() / 2};
+      default:
+        return Superquadric{{size() / 2, size() / 2, size() / 2}, uniform(0.1, 2), uniform(0.1, 2)};
     }
   }
   RigidSurface obstacle() {
@@ -45,7 +49,8 @@ class Random {
     const auto* shape = std::get_if<Shape>(&pair.obstacle.shape);
     Vector3d from = vector().normalized();
     if (!shape && from.dot(pair.obstacle.pose.orientation * Vector3d::UnitZ()) < 0) from = -from;
-    const double speed = logarithmic(0.3, 30), when = uniform(0.1, 0.9), reach = m.radius + (shape ? circumradius(*shape) : 0);
+    const double speed = logarithmic(0.3, 30), when = uniform(0.1, 0.9),
+                 reach = m.radius + (shape ? circumradius(*shape) : 0);
     m.velocity = speed * (0.3 * vector() - from);
     m.gravity = coin() ? Vector3d(0, 0, -9.81) : Vector3d::Zero().eval();
     m.position = pair.obstacle.pose.position + 0.4 * reach * vector() - when * (m.velocity + 0.5 * when * m.gravity);
@@ -142,8 +147,8 @@ TEST(FirstTouchCertificate, WhatIsProvedHolds) {
   }
 }
 
-// For a body that falls without turning the bound is sharp: the whole way in one step, but for the thousandth of it that
-// keeps the rounding out.
+// For a body that falls without turning the bound is sharp: the whole way in one step, but for the thousandth of it
+// that keeps the rounding out.
 TEST(FirstTouchCertificate, IsSharpForABallisticBody) {
   const Shape box = Box{{0.1, 0.2, 0.3}};
   TestMotion m(box);
@@ -172,13 +177,37 @@ TEST(FirstTouchSurface, NeighboursShareTheirPoints) {
           const PatchPoint at = edge < 2 ? PatchPoint{k, double(edge % 2), p} : PatchPoint{k, p, double(edge % 2)};
           const auto [there, back] = surface.across(at, edge);
           EXPECT_NE(there.patch, k);
-          EXPECT_LT((surface.patch(k).at(at.s, at.t).x - surface.patch(there.patch).at(there.s, there.t).x).norm(), 1e-15);
+          EXPECT_LT((surface.patch(k).at(at.s, at.t).x - surface.patch(there.patch).at(there.s, there.t).x).norm(),
+                    1e-15);
           const PatchPoint home = surface.across(there, back).point;
           EXPECT_EQ(home.patch, k);
           EXPECT_NEAR(home.s, at.s, 1e-15);
           EXPECT_NEAR(home.t, at.t, 1e-15);
         }
   }
+}
+
+// A surface that has been divided before gives the same answers.
+TEST(FirstTouchSurface, ServesManyFlights) {
+  Random random(5);
+  const Shape body = Cylinder{0.05, 0.1};
+  TouchSurface surface(body);
+  int hits = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Pair pair{body, random.obstacle()};
+    const TestMotion m = random.motion(pair);
+    const auto fresh = first_touch(body, m, pair.obstacle, {0, 1}),
+               again = first_touch(surface, m, pair.obstacle, {0, 1});
+    ASSERT_EQ(fresh.has_value(), again.has_value());
+    if (!fresh) continue;
+    ++hits;
+    EXPECT_EQ(fresh->t, again->t);
+    EXPECT_EQ(fresh->X, again->X);
+  }
+  EXPECT_GT(hits, 10);
+  for (int k = 0; k < 30000; ++k) surface.children(k);
+  surface.trim();
+  EXPECT_EQ(surface.children(0), surface.n_patches());
 }
 
 TEST(FirstTouchSurface, LocatesThePointsOfSuperquadrics) {

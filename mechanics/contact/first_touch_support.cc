@@ -33,8 +33,7 @@ Vector3d farthest(const Superquadric& body, const Vector3d& w) {
   const double largest = scaled.maxCoeff();
   if (!(largest > 0)) return {0, 0, body.semi_axes[2]};
   const Vector3d u = scaled / largest;
-  const Eigen::Vector2d across =
-      std::max(u[0], u[1]) > 0 ? dual_gradient(u[0], u[1], body.e2) : Eigen::Vector2d(1, 0);
+  const Eigen::Vector2d across = std::max(u[0], u[1]) > 0 ? dual_gradient(u[0], u[1], body.e2) : Eigen::Vector2d(1, 0);
   const Eigen::Vector2d along = dual_gradient(across[0] * u[0] + across[1] * u[1], u[2], body.e1);
   const Vector3d X(along[0] * across[0], along[0] * across[1], along[1]);
   return body.semi_axes.cwiseProduct(X).cwiseProduct(w.unaryExpr(&side));
@@ -43,19 +42,16 @@ Vector3d farthest(const Superquadric& body, const Vector3d& w) {
 }  // namespace
 
 Vector3d support_point(const Shape& shape, const Vector3d& w) {
-  return std::visit(overloaded{[&](const Box& b) -> Vector3d {
-                                 return 0.5 * b.size.cwiseProduct(w.unaryExpr(&side));
-                               },
-                               [&](const Cylinder& c) -> Vector3d {
-                                 const Eigen::Vector2d across =
-                                     c.radius * direction<Eigen::Vector2d>(w.head<2>(), Eigen::Vector2d::UnitX());
-                                 return {across[0], across[1], 0.5 * c.length * side(w[2])};
-                               },
-                               [&](const Sphere& s) -> Vector3d {
-                                 return s.radius * direction<Vector3d>(w, Vector3d::UnitZ());
-                               },
-                               [&](const Superquadric& s) { return farthest(s, w); }},
-                    shape);
+  return std::visit(
+      overloaded{[&](const Box& b) -> Vector3d { return 0.5 * b.size.cwiseProduct(w.unaryExpr(&side)); },
+                 [&](const Cylinder& c) -> Vector3d {
+                   const Eigen::Vector2d across =
+                       c.radius * direction<Eigen::Vector2d>(w.head<2>(), Eigen::Vector2d::UnitX());
+                   return {across[0], across[1], 0.5 * c.length * side(w[2])};
+                 },
+                 [&](const Sphere& s) -> Vector3d { return s.radius * direction<Vector3d>(w, Vector3d::UnitZ()); },
+                 [&](const Superquadric& s) { return farthest(s, w); }},
+      shape);
 }
 
 std::optional<Vector3d> support_point(const RigidSurface& obstacle, const Vector3d& w) {
@@ -76,11 +72,11 @@ std::optional<Vector3d> support_point(const RigidSurface& obstacle, const Vector
 }
 
 double circumradius(const Shape& shape) {
-  return std::visit(overloaded{[](const Box& b) { return 0.5 * b.size.norm(); },
-                               [](const Cylinder& c) { return std::hypot(c.radius, 0.5 * c.length); },
-                               [](const Sphere& s) { return s.radius; },
-                               [](const Superquadric& s) { return s.semi_axes.norm(); }},
-                    shape);
+  return std::visit(
+      overloaded{[](const Box& b) { return 0.5 * b.size.norm(); },
+                 [](const Cylinder& c) { return std::hypot(c.radius, 0.5 * c.length); },
+                 [](const Sphere& s) { return s.radius; }, [](const Superquadric& s) { return s.semi_axes.norm(); }},
+      shape);
 }
 
 }  // namespace mb

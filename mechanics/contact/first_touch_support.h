@@ -1,6 +1,7 @@
 // The point of a convex shape that lies farthest along a direction w, and how far:
 //
-//   h(w) = max over the shape of w . X = w . X*       (the support function; Rockafellar 1970, Convex Analysis, sect. 13)
+//   h(w) = max over the shape of w . X = w . X*       (the support function; Rockafellar 1970, Convex Analysis, sect.
+//   13)
 //
 // Of a superquadric h is the dual of the gauge (superquadric.h), norms of the conjugate exponents 2/(2 - e):
 //   h(w) = | (|(a1 w1, a2 w2)|_p*, a3 w3) |_q*,   p* = 2/(2 - e2),   q* = 2/(2 - e1),   X* = grad h

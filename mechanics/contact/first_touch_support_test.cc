@@ -23,7 +23,9 @@ const std::vector<Shape> shapes = {Box{{0.3, 0.2, 0.7}},
 struct Directions {
   std::mt19937 random{1};
   std::normal_distribution<double> normal;
-  Vector3d operator()() { return Vector3d::NullaryExpr([&] { return normal(random); }); }
+  Vector3d operator()() {
+    return Vector3d::NullaryExpr([&] { return normal(random); });
+  }
 };
 
 double level(const Shape& shape, const Vector3d& X) {

@@ -21,13 +21,21 @@ TouchSurface::TouchSurface(const Shape& shape) : shape_(shape), patches_(surface
   for (int k = 0; k < n_patches(); ++k) cells_.push_back(make(k, 0, {}));
 }
 
+void TouchSurface::trim() {
+  if (cells_.size() < 100'000) return;
+  cells_.resize(patches_.size(), cells_.front());
+  for (SurfaceCell& cell : cells_) cell.children = -1;
+}
+
 SurfaceCell TouchSurface::make(int k, int depth, const ParameterCell& c) const {
   const PatchPoint middle{k, 0.5 * (c.s0 + c.s1), 0.5 * (c.t0 + c.t1)};
   const SurfacePoint p = patch(k).at(middle.s, middle.t);
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << p.by_s.normalized(), p.by_t.normalized();
-  return {k,   depth,    c, middle, p.x, p.by_s.cross(p.by_t).normalized(), tangents,
-          patch(k).covering_radius(c, middle.s, middle.t)};
+  return {k,        depth,
+          c,        middle,
+          p.x,      p.by_s.cross(p.by_t).normalized(),
+          tangents, patch(k).covering_radius(c, middle.s, middle.t)};
 }
 
 int TouchSurface::children(int k) {
@@ -52,8 +60,7 @@ void TouchSurface::find_neighbours() {
   std::vector<Edge> edges;
   const auto x = [&](const PatchPoint& p) -> Vector3d { return patch(p.patch).at(p.s, p.t).x; };
   for (int k = 0; k < n_patches(); ++k)
-    for (int e = 0; e < 4; ++e)
-      edges.push_back({{x(on_edge(k, e, 0)), x(on_edge(k, e, 1))}, x(on_edge(k, e, 0.5))});
+    for (int e = 0; e < 4; ++e) edges.push_back({{x(on_edge(k, e, 0)), x(on_edge(k, e, 1))}, x(on_edge(k, e, 0.5))});
   neighbours_.resize(patches_.size());
   for (size_t i = 0; i < edges.size(); ++i) {
     double least = std::numeric_limits<double>::infinity();
@@ -80,10 +87,9 @@ TouchSurface::Across TouchSurface::across(const PatchPoint& point, int edge) con
   return {on_edge(n.patch, n.edge, n.reversed ? 1 - p : p), n.edge};
 }
 
-
-// Its 24 patches are rays' images of quarters of the box's faces: in the middle of each, and at no other's inner points,
-// the largest coordinate (by the semi-axes) and the signs of the others are those of X. On one patch rays depend smoothly
-// on the parameters, also where the surface is sharp: Newton's method on x across X.
+// Its 24 patches are rays' images of quarters of the box's faces: in the middle of each, and at no other's inner
+// points, the largest coordinate (by the semi-axes) and the signs of the others are those of X. On one patch rays
+// depend smoothly on the parameters, also where the surface is sharp: Newton's method on x across X.
 std::optional<PatchPoint> TouchSurface::locate(const Vector3d& X) const {
   const auto* body = std::get_if<Superquadric>(&shape_);
   if (!body) return std::nullopt;

@@ -20,10 +20,10 @@ struct SurfaceCell {
   int patch, depth;
   ParameterCell cell;
   PatchPoint middle;
-  Vector3d X, normal;                   // [m] the surface's point in the middle, [-] outward there
-  Eigen::Matrix<double, 3, 2> tangents; // [-] of unit length there, along s and t
-  double radius;                        // [m] every point of the cell lies within it of X
-  int children = -1;                    // the first of four, or not yet
+  Vector3d X, normal;                    // [m] the surface's point in the middle, [-] outward there
+  Eigen::Matrix<double, 3, 2> tangents;  // [-] of unit length there, along s and t
+  double radius;                         // [m] every point of the cell lies within it of X
+  int children = -1;                     // the first of four, or not yet
 };
 
 class TouchSurface {
@@ -45,6 +45,9 @@ class TouchSurface {
 
   // The patch point of a superquadric's surface point X [m]; nothing of another shape.
   std::optional<PatchPoint> locate(const Vector3d& X) const;
+
+  // Takes back what has grown, where that is more than a hundred thousand cells.
+  void trim();
 
   // Cells 0 ... n_patches() - 1 are the patches.
   const SurfaceCell& cell(int k) const { return cells_[static_cast<size_t>(k)]; }

@@ -1,5 +1,6 @@
 // First touch against closed forms and against roots of equations that are found here by themselves, in long double.
-// Tolerances in seconds: 1e-14, some ten roundings of times below a second and of gaps below a metre at metres a second.
+// Tolerances in seconds: 1e-14, some ten roundings of times below a second and of gaps below a metre at metres a
+// second.
 #include "mechanics/contact/first_touch.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +70,9 @@ TEST(FirstTouchVerification, TurningBodiesMeetTheTableWhereTheirLowestPointDoes)
     Shape shape;
     std::function<Real(const RealVector&)> reach;  // of the unit vector e_z in the body's axes
   };
-  const auto box = [](const RealVector& n) { return 0.05L * std::abs(n[0]) + 0.1L * std::abs(n[1]) + 0.15L * std::abs(n[2]); };
+  const auto box = [](const RealVector& n) {
+    return 0.05L * std::abs(n[0]) + 0.1L * std::abs(n[1]) + 0.15L * std::abs(n[2]);
+  };
   const auto rod = [](const RealVector& n) { return 0.05L * std::hypot(n[0], n[1]) + 0.1L * std::abs(n[2]); };
   const auto egg = [](const RealVector& n) {
     return std::sqrt(0.01L * n[0] * n[0] + 0.0025L * n[1] * n[1] + 0.04L * n[2] * n[2]);
@@ -110,7 +113,8 @@ TEST(FirstTouchVerification, SpheresMeetFacesEdgesCornersAndRims) {
   };
   const RigidSurface box{Shape(Box{{0.2, 0.2, 0.2}}), 0, {}}, disc{Shape(Cylinder{0.1, 0.04}), 0, {}};
   const RigidSurface worn{Shape(Box{{0.2, 0.2, 0.2}}), 0.02, {}}, wheel{Shape(Cylinder{0.1, 0.04}), 0.01, {}};
-  const RigidSurface roller{Shape(Cylinder{0.1, 1}), 0, {{0, 0, 0}, Eigen::Quaterniond(std::sqrt(0.5), std::sqrt(0.5), 0, 0)}};
+  const RigidSurface roller{
+      Shape(Cylinder{0.1, 1}), 0, {{0, 0, 0}, Eigen::Quaterniond(std::sqrt(0.5), std::sqrt(0.5), 0, 0)}};
   const std::vector<Case> cases = {
       {box, {0.03, 0.02, 1}, [](const RealVector& c) { return c[2] - 0.1L; }},
       {box, {0.12, 0.02, 1}, [](const RealVector& c) { return std::hypot(c[0] - 0.1L, c[2] - 0.1L); }},
@@ -161,6 +165,53 @@ TEST(FirstTouchVerification, SpinningBoxesClipCorners) {
         EXPECT_FALSE(first_touch(body, m, obstacle, {0, 0.5}));
       }
     }
+}
+
+// Two boxes are apart as long as one of 15 axes separates them: the normals of their faces, and the products of their
+// edges (Gottschalk, Lin & Manocha 1996, SIGGRAPH). The greatest separation is 0 when they touch, also edge on edge.
+TEST(FirstTouchVerification, BoxesMeetWhenNoAxisSeparatesThem) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> size(0.02, 0.2);
+  const auto vector = [&] { return Vector3d(normal(random), normal(random), normal(random)); };
+  const auto turn = [&] {
+    return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
+  };
+  int hits = 0, edges = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Vector3d a(size(random), size(random), size(random)), b(size(random), size(random), size(random));
+    const RigidSurface obstacle{Shape(Box{b}), 0, {0.1 * vector(), turn()}};
+    TestMotion m(Box{a});
+    m.orientation = turn(), m.spin = 5 * vector(), m.velocity = 2 * vector(), m.gravity = down;
+    m.position = obstacle.pose.position - 0.5 * m.velocity - 0.125 * down + 0.04 * vector();
+    const RealMatrix B = obstacle.pose.orientation.cast<Real>().normalized().toRotationMatrix();
+    int axis_of_touch = 0;
+    const auto separation = [&](Real t) {
+      const RealMatrix A = rotation(m, t);
+      const RealVector between = centre(m, t) - obstacle.pose.position.cast<Real>();
+      Real greatest = -1;
+      const auto look = [&](const RealVector& axis, int number) {
+        const Real length = axis.norm();
+        if (length < 1e-6L) return;
+        const Real reach = (A.transpose() * axis).cwiseAbs().dot(a.cast<Real>()) / 2 +
+                           (B.transpose() * axis).cwiseAbs().dot(b.cast<Real>()) / 2;
+        const Real apart = (std::abs(axis.dot(between)) - reach) / length;
+        if (apart > greatest) greatest = apart, axis_of_touch = number;
+      };
+      for (int i = 0; i < 3; ++i) look(A.col(i), i), look(B.col(i), 3 + i);
+      for (int i = 0; i < 9; ++i) look(A.col(i / 3).cross(B.col(i % 3)), 6 + i);
+      return greatest;
+    };
+    if (separation(0) <= 0) continue;
+    const double expected = first_root(separation, 1, 3000);
+    if (!std::isfinite(expected)) continue;
+    ++hits;
+    separation(expected);
+    edges += axis_of_touch >= 6;
+    expect_hit(Box{a}, m, obstacle, expected, 3e-14);
+  }
+  EXPECT_GT(hits, 30);
+  EXPECT_GT(edges, 10);
 }
 
 // 100 m/s through a plate of a millimetre: in any step of more than 10 us it would be on the other side.
@@ -223,7 +274,8 @@ TEST(FirstTouch, WorkGrowsWithTheDigitsOnly) {
     m.vibrations = {random_vibration(random, m.radius, 1e-3, 1e3, true)};
     const auto rough = first_touch(shape, m, table, {0, 1, 1e-5}), fine = first_touch(shape, m, table, {0, 1, 1e-12});
     ASSERT_TRUE(rough && fine);
-    EXPECT_LT(fine->n_evaluations, 12 * rough->n_evaluations);  // 7 digits of gap: as many times 10 were it of first order
+    EXPECT_LT(fine->n_evaluations,
+              12 * rough->n_evaluations);  // 7 digits of gap: as many times 10 were it of first order
     EXPECT_LT(fine->n_evaluations, 4000);
     EXPECT_NEAR(rough->t, fine->t, 1e-14);  // the root does not depend on the tolerance
   }

@@ -17,9 +17,9 @@ inline Eigen::Matrix3d cross_matrix(const Vector3d& a) {
 }
 
 struct Vibration {
-  double frequency = 0, phase = 0;                      // [rad/s], [rad]
-  Eigen::Matrix3d linear = Eigen::Matrix3d::Zero();     // [-]
-  std::vector<Eigen::Matrix3d> bends;                   // [1/m] none or three symmetric ones, S[X, X]_i = X . bends[i] X
+  double frequency = 0, phase = 0;                   // [rad/s], [rad]
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Zero();  // [-]
+  std::vector<Eigen::Matrix3d> bends;                // [1/m] none or three symmetric ones, S[X, X]_i = X . bends[i] X
 };
 
 class TestMotion : public BodyMotion {
