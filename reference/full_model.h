@@ -23,10 +23,10 @@ namespace mb {
 // mode, full order needs the modes of its own mesh (System::modal_damping), and gets them from who knows how to.
 using ModeSolver = std::function<Modes(const System& system, const Body& body, int n_elastic)>;
 
-// Mesh and matrices of one body of the scene at the resolution given. Throws std::invalid_argument for supports which
-// leave nothing free or contradict each other, discs off their face, resolutions out of range, graded ones of a body
-// without contact, and damping ratios without a solver. Damping ratios beyond the last one given, in the rest of a
-// multiplet, are the last one's.
+// Mesh and matrices of one body of the scene at the resolution given; of a body of beam or plate theory its sine modes
+// (theory/theory_model.h). Throws std::invalid_argument for supports which leave nothing free or contradict each other,
+// discs off their face, resolutions out of range, graded ones of a body without contact, and damping ratios without a
+// solver. Damping ratios beyond the last one given, in the rest of a multiplet, are the last one's.
 std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body, const Resolution& resolution,
                                             const ModeSolver& modes = {});
 

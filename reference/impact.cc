@@ -27,7 +27,7 @@ class PreparedImpact final : public Prepared {
       throw std::invalid_argument("body '" + body_.name + "' spins: full order in contact has small rotations only");
     if (!integrator.prepare_in_contact)
       throw std::invalid_argument("integrator '" + integrator.name + "' has no steps for full order in contact");
-    free_ = body_.supports.empty();
+    free_ = !is_held(body_);
     start_ = std::min(touchdown_.t, scene_->duration);
     velocity_ = to_axes(body_.twist.velocity);
     gravity_ = to_axes(scene_->gravity);
@@ -72,7 +72,7 @@ class PreparedImpact final : public Prepared {
   Contact contact(const Meeting& meeting) const {
     const ContactPair& pair = scene_->contacts[meeting.contact];
     const Pose frame{body_.pose.to_world(flown(start_)), body_.pose.orientation};
-    const RigidSurface seen = seen_from(frame, obstacle_of(*scene_, pair).surface);
+    const RigidSurface seen = seen_from(frame, surface_met(*scene_, body_, meeting));
     return {full_->contact_points(seen, reach * extent(body_.shape)),
             seen,
             law_of(pair, meeting.size),

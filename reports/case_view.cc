@@ -36,6 +36,8 @@ std::string describe(const Patch& patch) {
 }
 
 std::string supports_of(const Body& body) {
+  if (body.theory == Theory::euler_bernoulli) return "Euler-Bernoulli beam simply supported at both ends";
+  if (body.theory == Theory::kirchhoff) return "Kirchhoff plate simply supported on four edges";
   static constexpr const char* names[] = {"fixed", "sliding", "held in the mean", "on a diaphragm", "driven"};
   std::map<Support::Kind, std::vector<std::string>> places;
   for (const Support& one : body.supports) places[one.kind].push_back(describe(one.patch));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/contact/hertz.h"
 #include "mechanics/contact/hertz_motion.h"
 #include "mechanics/geometry/signed_distance.h"
 
@@ -14,6 +15,7 @@ namespace {
 constexpr double flat = 0.05;           // [-] curvature by extent below which a contact is not a point
 constexpr double sharpest = 50;         // [-] curvature by extent: edges and corners count as rounded off
 constexpr double widest = 0.5;          // [-] contact radius by radius of curvature: beyond, Hertz's says nothing
+constexpr double unpressed = 1e-3;      // [-] approach by extent, where nothing is known to press
 constexpr double layer_stiffness = 100; /* [-] k_n a / E* */
 
 double youngs_modulus(const Material& m) {
@@ -45,13 +47,14 @@ double height(const Shape& shape, const Vector3d& n) {
 }
 
 struct Press {
-  double mass, speed, weight;
-};  // [kg], [m/s], [N]
+  double mass, speed, weight;  // [kg], [m/s], [N]
+  double approach;             // [m] that is taken where neither speed nor weight presses, else 0
+};
 
 ContactSize point_contact(const Press& press, double modulus, double radius) {
   const double k = 4.0 / 3 * modulus * std::sqrt(radius);
   // The speed at which an impact would reach the approach that the weight makes: m v^2/2 = 2/5 k delta^(5/2).
-  const double resting = std::pow(press.weight / k, 2.0 / 3);
+  const double resting = std::max(press.approach, std::pow(press.weight / k, 2.0 / 3));
   const double speed = std::max(press.speed, std::sqrt(0.8 * k * std::pow(resting, 2.5) / press.mass));
   const HertzPeaks peaks = hertz_peaks({press.mass, k, speed});
   const double a = std::min(std::sqrt(radius * peaks.approach), widest * radius);
@@ -61,7 +64,7 @@ ContactSize point_contact(const Press& press, double modulus, double radius) {
 ContactSize flat_contact(const Press& press, const Body& body, double modulus, double l) {
   const double c = std::sqrt(youngs_modulus(body.material) / body.material.density), A = volume(body.shape) / l;
   const double impedance = body.material.density * c * A;
-  const double speed = std::max(press.speed, press.weight / impedance);
+  const double speed = std::max({press.speed, press.weight / impedance, press.approach * c / l});
   return {modulus, std::sqrt(A / pi), speed * l / c, speed, 2 * l / c, impedance * speed, 0};
 }
 
@@ -70,9 +73,8 @@ ContactSize flat_contact(const Press& press, const Body& body, double modulus, d
 ContactSize contact_size(const Body& body, const ContactPair& pair, const Vector3d& X, const Pose& pose, const Gap& at,
                          double speed, const Vector3d& gravity) {
   const double mass = body.material.density * volume(body.shape);
-  const Press press{mass, speed, std::max(0.0, -mass * gravity.dot(at.normal))};
-  if (!(press.speed > 0 || press.weight > 0))
-    throw std::invalid_argument("nothing presses '" + body.name + "' against '" + pair.obstacle + "'");
+  Press press{mass, speed, std::max(0.0, -mass * gravity.dot(at.normal)), 0};
+  if (!(press.speed > 0 || press.weight > 0)) press.approach = unpressed * extent(body.shape);
   const Eigen::Vector2d k = curvatures(body, X, pose, at);
   const double modulus = contact_modulus_of(body.material), l = extent(body.shape);
   ContactSize size =
@@ -80,6 +82,19 @@ ContactSize contact_size(const Body& body, const ContactPair& pair, const Vector
                       : point_contact(press, modulus, 1 / std::sqrt(std::max(k[0], flat / l) * k[1]));
   size.stiffness = pair.stiffness > 0 ? pair.stiffness : layer_stiffness * modulus / size.radius;
   return size;
+}
+
+ContactSize strike_size(const Body& body, const ContactPair& pair, const Obstacle& obstacle) {
+  const auto* shape = std::get_if<Shape>(&obstacle.surface.shape);
+  const Sphere* ball = shape ? std::get_if<Sphere>(shape) : nullptr;
+  if (!ball || !obstacle.striker)
+    throw std::invalid_argument("obstacle '" + obstacle.name + "' is no ball that strikes '" + body.name + "'");
+  const Striker& striker = *obstacle.striker;
+  const double modulus = contact_modulus(body.material, {striker.youngs_modulus, striker.poissons_ratio, 1});
+  const double k = pair.stiffness > 0 ? pair.stiffness : hertz_stiffness({ball->radius, modulus});
+  const HertzPeaks peaks = hertz_peaks({striker.mass, k, striker.speed});
+  return {modulus, std::sqrt(ball->radius * peaks.approach), peaks.approach, striker.speed, peaks.duration, peaks.force,
+          k};
 }
 
 }  // namespace mb

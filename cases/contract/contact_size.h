@@ -4,7 +4,10 @@
 //   flat    a bar's: delta = v l/c, T = 2 l/c, F = rho c v A,   c = sqrt(E/rho), l the body's height, A = V/l
 //   auto    k_n = 100 E*/a: the layer adds E*/(pi k_n a), 0.3 %, to the approach of a sphere
 //
-// Without speed, at rest, the weight takes the part of the impact. Orthotropic bodies count with the largest modulus.
+//   strike  a ball of mass m and radius R by law `hertz` on a body too heavy to move: k = 4/3 E* sqrt(R), E* of both
+//
+// Without speed, at rest, the weight takes the part of the impact; where nothing is known to press, an approach of a
+// thousandth of the extent. Orthotropic bodies count with the largest modulus.
 #pragma once
 
 #include "cases/scene/scene.h"
@@ -18,12 +21,15 @@ struct ContactSize {
   double speed;      // v [m/s], of the impact or of what weight alone brings about
   double duration;   // T [s]
   double force;      // F [N] largest
-  double stiffness;  // k_n [Pa/m] as stated by the pair, or `auto`
+  double stiffness;  // k_n [Pa/m] as stated by the pair, or `auto`; of law hertz k [N/m^1.5]
 };
 
 // At the body's point X [m, body frame], which meets the obstacle at `speed` [m/s] >= 0 along its normal; `at`: the gap
-// there, with the body's frame in `pose`. Throws std::invalid_argument where neither speed nor gravity presses.
+// there, with the body's frame in `pose`.
 ContactSize contact_size(const Body& body, const ContactPair& pair, const Vector3d& X, const Pose& pose, const Gap& at,
                          double speed, const Vector3d& gravity);
+
+// Throws std::invalid_argument for an obstacle that is no ball that strikes.
+ContactSize strike_size(const Body& body, const ContactPair& pair, const Obstacle& obstacle);
 
 }  // namespace mb

@@ -25,7 +25,7 @@ constexpr int n_looks = 64;               // in time, for the nearest approach o
 class RigidMotion final : public BodyMotion {
  public:
   RigidMotion(const Scene& scene, const Body& body)
-      : moves_(body.supports.empty()),
+      : moves_(!is_held(body)),
         pose_(body.pose),
         gravity_(scene.gravity),
         flight_(mass_properties(body.shape, body.material.density), body.pose, body.twist, scene.gravity),
@@ -126,6 +126,13 @@ Meeting meeting_of(const Scene& scene, const Body& body, const RigidMotion& moti
   return meeting;
 }
 
+// Whatever strikes a body does so in the middle of its top face.
+Meeting strike_of(const Scene& scene, const Body& body, size_t contact, const Obstacle& obstacle) {
+  const auto* box = std::get_if<Box>(&body.shape);
+  if (!box) throw std::invalid_argument("body '" + body.name + "' is no box: it has no top face to be struck");
+  return {contact, 0, box->size.z() / 2 * Vector3d::UnitZ(), strike_size(body, scene.contacts[contact], obstacle)};
+}
+
 }  // namespace
 
 Touchdown touchdown(const Scene& scene, const Body& body) {
@@ -133,7 +140,9 @@ Touchdown touchdown(const Scene& scene, const Body& body) {
   const RigidMotion motion(scene, body);
   for (size_t i = 0; i < scene.contacts.size(); ++i) {
     if (scene.contacts[i].body != body.name) continue;
-    down.meetings.push_back(meeting_of(scene, body, motion, i));
+    const Obstacle& obstacle = obstacle_of(scene, scene.contacts[i]);
+    down.meetings.push_back(obstacle.striker ? strike_of(scene, body, i, obstacle)
+                                             : meeting_of(scene, body, motion, i));
     down.t = std::min(down.t, down.meetings.back().t);
   }
   return down;
@@ -141,6 +150,7 @@ Touchdown touchdown(const Scene& scene, const Body& body) {
 
 PenaltyLaw law_of(const ContactPair& pair, const ContactSize& size) {
   PenaltyLaw law{size.stiffness, pair.damping, {}};
+  if (pair.law == ContactLaw::hertz) law.exponent = 1.5;
   if (pair.friction > 0) law.friction = {pair.friction, pair.slip_speed};
   return law;
 }
@@ -149,6 +159,13 @@ const Obstacle& obstacle_of(const Scene& scene, const ContactPair& pair) {
   for (const Obstacle& obstacle : scene.obstacles)
     if (obstacle.name == pair.obstacle) return obstacle;
   throw std::out_of_range("no obstacle is called " + pair.obstacle);
+}
+
+RigidSurface surface_met(const Scene& scene, const Body& body, const Meeting& meeting) {
+  const Obstacle& obstacle = obstacle_of(scene, scene.contacts.at(meeting.contact));
+  if (!obstacle.striker) return obstacle.surface;
+  const Eigen::Quaterniond upside_down(0, 1, 0, 0);
+  return {HalfSpace{}, 0, {body.pose.to_world(meeting.X), body.pose.orientation * upside_down}};
 }
 
 RigidSurface seen_from(const Pose& frame, const RigidSurface& surface) {

@@ -23,11 +23,13 @@ struct Touchdown {
 };
 
 // Throws std::invalid_argument where the body starts within an obstacle, deeper than 1e-9 of its extent, naming both
-// and the depth.
+// and the depth. What strikes a body touches the middle of its top face at t = 0.
 Touchdown touchdown(const Scene& scene, const Body& body);
 
 PenaltyLaw law_of(const ContactPair& pair, const ContactSize& size);
 const Obstacle& obstacle_of(const Scene& scene, const ContactPair& pair);  // throws std::out_of_range naming it
+// The obstacle's surface in the world; of one that strikes, whose distance is among the unknowns, its tangent plane.
+RigidSurface surface_met(const Scene& scene, const Body& body, const Meeting& meeting);
 
 // An obstacle as seen from a frame: gap(seen, X) = gap(surface, frame.to_world(X)).
 RigidSurface seen_from(const Pose& frame, const RigidSurface& surface);

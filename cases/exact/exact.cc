@@ -4,11 +4,14 @@
 
 #include "cases/exact/rod_step.h"
 #include "cases/exact/sphere_pulse.h"
+#include "cases/exact/struck_beam.h"
+#include "cases/exact/struck_plate.h"
 
 namespace mb {
 
 const std::vector<ExactSolution>& exact_solutions() {
-  static const std::vector<ExactSolution> solutions = {rod_step(), sphere_radial_pulse()};
+  static const std::vector<ExactSolution> solutions = {rod_step(), sphere_radial_pulse(), struck_beam(),
+                                                       struck_plate()};
   return solutions;
 }
 

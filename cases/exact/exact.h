@@ -5,6 +5,8 @@
 //                         d'Alembert's triangle waves, u(z, t); strain exact between the jumps
 //   sphere-radial-pulse   free sphere under a uniform pressure pulse sin^2: radial modes with mode acceleration, the
 //                         series cut where its remainder is below 1e-9 of the peak
+//   timoshenko-impact     Euler-Bernoulli beam, simply supported, struck by a ball: Volterra's equation
+//   zener-impact          large Kirchhoff plate, struck by a ball: Zener's equation, of the contact alone
 //
 // Graff 1975, Wave Motion in Elastic Solids, sects. 2.3 and 5.3; Lamb 1882, Proc. London Math. Soc. 13.
 #pragma once
@@ -20,7 +22,7 @@ namespace mb {
 struct ExactSolution {
   std::string name, doc, source;
   std::string (*problem)(const Scene& scene);  // empty where the solution holds for the scene, else why not
-  // displacement and strain of the scene's body at t [s]
+  // Displacement, strain and contact of the scene's body at t [s]; 0 columns of what the solution does not say.
   Trajectory (*at)(const Scene& scene, const EvaluationPoints& points, const VectorXd& t);
   double error_bar;  // [-] of the series, relative to the largest displacement: a metric's own unit is made of it by
                      // whoever compares (harness/study/truth.h)

@@ -34,4 +34,24 @@ Misfit one_loaded_undamped_body(const Scene& scene) {
   return misfit;
 }
 
+Misfit one_struck_undamped_body(const Scene& scene, Theory theory) {
+  Misfit misfit;
+  misfit.require(scene.bodies.size() == 1, fmt::format("needs one body, there are {}", scene.bodies.size()));
+  for (const Body& body : scene.bodies) {
+    misfit.require(body.theory == theory,
+                   fmt::format("the body's theory is {}, not {}", to_string(body.theory), to_string(theory)));
+    misfit.require(std::holds_alternative<Box>(body.shape), "the body is not a box");
+    misfit.require(!body.material.orthotropy, "the material is not isotropic");
+    misfit.require(is_undamped(body), "the body is damped");
+    misfit.require(striker_of(scene, body), "nothing strikes the body");
+  }
+  misfit.require(scene.contacts.size() == 1, fmt::format("needs one contact, there are {}", scene.contacts.size()));
+  for (const ContactPair& pair : scene.contacts) {
+    misfit.require(pair.law == ContactLaw::hertz, "the contact is not by Hertz's law");
+    misfit.require(pair.damping == 0 && pair.friction == 0, "the contact is damped or has friction");
+  }
+  misfit.require(scene.loads.empty(), "the body is loaded");
+  return misfit;
+}
+
 }  // namespace mb

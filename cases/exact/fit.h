@@ -20,8 +20,12 @@ class Misfit {
   std::vector<std::string> reasons_;
 };
 
-// What every closed form here asks for: one body, isotropic and undamped, under one load of one whole face of it.
-// Where this misfits, there may be no load to look at.
+// What the closed forms of loaded bodies ask for: one body, isotropic and undamped, under one load of one whole face of
+// it. Where this misfits, there may be no load to look at.
 Misfit one_loaded_undamped_body(const Scene& scene);
+
+// What closed forms of struck beams and plates ask for: one isotropic, undamped body of the theory, and one ball that
+// strikes it by Hertz's law without losses.
+Misfit one_struck_undamped_body(const Scene& scene, Theory theory);
 
 }  // namespace mb

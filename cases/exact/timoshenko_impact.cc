@@ -89,6 +89,7 @@ class March {
   double ball() const { return ball_; }
   double ball_rate() const { return rate_; }
   double midspan() const { return modal_ * q_.sum(); }
+  VectorXd modes() const { return modal_ * q_; }
   double gap_rate() const { return rate_ - modal_ * q_rate_.sum(); }  // w'
   double approach() const { return ball_ - midspan(); }               // w
   double beam_energy() const { return modal_ / 2 * (q_rate_.square() + step_.omega2 * q_.square()).sum(); }
@@ -168,6 +169,8 @@ BeamMotion march_beam_impact(const BeamImpact& impact, const BeamMarch& march) {
                     VectorXd::Zero(n),
                     VectorXd::Zero(n),
                     VectorXd::Zero(n),
+                    VectorXd::Constant(n, impact.speed),
+                    MatrixXd::Zero(march.n_modes, n),
                     0,
                     0,
                     0,
@@ -193,6 +196,8 @@ BeamMotion march_beam_impact(const BeamImpact& impact, const BeamMarch& march) {
     motion.force[j] = state.force();
     motion.ball[j] = state.ball();
     motion.midspan[j] = state.midspan();
+    motion.ball_rate[j] = state.ball_rate();
+    motion.modes.col(j) = state.modes();
   }
   if (!released) note_release(impact, state, before, before, motion);
   return motion;
@@ -208,6 +213,8 @@ BeamMotion beam_impact(const BeamImpact& impact, const BeamMarch& march) {
   motion.force = motion.force.cwiseMax(0);  // not below it by the rest of the error, where contact ends
   improve(motion.ball, coarse.ball);
   improve(motion.midspan, coarse.midspan);
+  improve(motion.ball_rate, coarse.ball_rate);
+  improve(motion.modes, coarse.modes);
   improve(motion.peak, coarse.peak);
   improve(motion.peak_time, coarse.peak_time);
   improve(motion.touch_end, coarse.touch_end);

@@ -33,6 +33,8 @@ struct BeamMotion {
   VectorXd t;              // [s] n_samples + 1, from 0
   VectorXd force;          // F [N] >= 0
   VectorXd ball, midspan;  // [m] downwards
+  VectorXd ball_rate;      // [m/s] downwards
+  MatrixXd modes;          // q [m] n_modes x samples: w(x) = sum q_n cos(n pi x/L) downwards, x from midspan
   double peak, peak_time;  // [N], [s] of the first contact
   double touch_end;        // [s] end of the first contact; none within the time: its end
   double impulse;          // [N s] of the first contact

@@ -86,6 +86,7 @@ std::string canonical(const Pose& pose) {
 
 std::string canonical(const Body& body) {
   std::string out = fmt::format("body {}\n{}", body.name, canonical(body.shape));
+  if (body.theory != Theory::solid) out += fmt::format("theory {}\n", to_string(body.theory));
   out += canonical(body.material);
   out += fmt::format("damping {} {}\n", number(body.damping.alpha), number(body.damping.beta));
   if (!body.damping_ratios.empty()) out += fmt::format("ratios {}\n", list(body.damping_ratios));
@@ -106,13 +107,17 @@ std::string canonical(const Obstacle& obstacle) {
                                [](const Shape& shape) { return canonical(shape); }},
                     surface.shape);
   if (surface.rounding != 0) out += fmt::format("rounding {}\n", number(surface.rounding));
+  if (obstacle.striker) {
+    const auto& [mass, speed, modulus, ratio] = *obstacle.striker;
+    out += fmt::format("strikes {} {} {} {}\n", number(mass), number(speed), number(modulus), number(ratio));
+  }
   return out + canonical(surface.pose);
 }
 
 std::string canonical(const ContactPair& pair) {
-  return fmt::format("contact {} {} stiffness {} damping {} friction {} {}\n", pair.body, pair.obstacle,
+  return fmt::format("contact {} {} stiffness {} damping {} friction {} {}{}\n", pair.body, pair.obstacle,
                      pair.stiffness == 0 ? "auto" : number(pair.stiffness), number(pair.damping), number(pair.friction),
-                     number(pair.slip_speed));
+                     number(pair.slip_speed), pair.law == ContactLaw::hertz ? " law hertz" : "");
 }
 
 std::string canonical(const Load& load) {

@@ -47,12 +47,13 @@ void check_with_contact(Section& root, const std::vector<BodyDraft>& bodies) {
 }
 
 // Whether the scene is known to stay as it is: all of it could be read, and nothing in it moves.
-bool stays(Section& root, const std::vector<BodyDraft>& bodies, const std::optional<Vector3d>& gravity) {
+bool stays(Section& root, const std::vector<BodyDraft>& bodies, const ContactDrafts& contacts,
+           const std::optional<Vector3d>& gravity) {
   const auto is_still = [](const BodyDraft& body) {
     return !body.supports.driven && body.twist && body.twist->velocity.isZero(0) &&
            body.twist->angular_velocity.isZero(0);
   };
-  return gravity && gravity->isZero(0) && !states_any(root, "load") &&
+  return gravity && gravity->isZero(0) && !states_any(root, "load") && !contacts.strikes &&
          std::all_of(bodies.begin(), bodies.end(), is_still);
 }
 
@@ -74,7 +75,7 @@ void check_contact_rules(Section& root, const std::vector<BodyDraft>& bodies, co
   }
   if (!contacts.any) return;
   check_with_contact(root, bodies);
-  if (stays(root, bodies, gravity)) {
+  if (stays(root, bodies, contacts, gravity)) {
     root.findings().error(root.where_key("contact"),
                           "nothing would move: there is no gravity, and every body starts at rest",
                           "state 'gravity', or 'velocity' of a body");

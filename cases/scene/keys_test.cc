@@ -39,6 +39,7 @@ bool depends_on_case(const std::string& documented) {
                                           "probe.body",
                                           "contact.body",
                                           "contact.obstacle",
+                                          "contact.stiffness",
                                           "obstacle.rounding",
                                           "disc.centre",
                                           "disc.radius",

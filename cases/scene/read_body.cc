@@ -4,6 +4,7 @@
 
 #include "cases/scene/read_mesh.h"
 #include "cases/scene/read_shape.h"
+#include "cases/scene/read_theory.h"
 
 namespace mb {
 
@@ -31,6 +32,7 @@ std::optional<bool> touch(const std::vector<BodyDraft>& bodies) {
 BodyDraft read_body(Section section, const HistoryContext& context) {
   BodyDraft body;
   body.name = section.name("name");
+  body.theory = read_theory(section);
   if (auto shape = section.section("shape")) body.shape = read_body_shape(*shape);
   if (auto material = section.section("material")) body.material = read_material(*material);
   if (auto damping = section.section("damping", true)) body.damping = read_damping(*damping);
@@ -39,14 +41,15 @@ BodyDraft read_body(Section section, const HistoryContext& context) {
   read_kinematics(section);
   body.pose = read_pose(section, "pose");
   body.twist = read_twist(section);
+  check_theory(section, body);
   section.finish();
   return body;
 }
 
 Body completed(const BodyDraft& draft) {
-  return {draft.name.value(),      draft.shape.value(),  draft.material.value(),
-          draft.damping.rayleigh,  draft.damping.ratios, draft.resolution.value(),
-          draft.supports.supports, draft.pose.value(),   draft.twist.value()};
+  return {draft.name.value(),   draft.shape.value(),      draft.material.value(),  draft.damping.rayleigh,
+          draft.damping.ratios, draft.resolution.value(), draft.supports.supports, draft.pose.value(),
+          draft.twist.value(),  draft.theory.value()};
 }
 
 }  // namespace mb

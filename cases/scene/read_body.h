@@ -1,4 +1,4 @@
-// [[body]]: shape, material, damping, resolution, supports, and how it starts.
+// [[body]]: theory, shape, material, damping, resolution, supports, and how it starts.
 #pragma once
 
 #include "cases/scene/read_material.h"
@@ -18,7 +18,8 @@ struct BodyDraft {
   SupportDrafts supports;
   std::optional<Pose> pose = Pose{};
   std::optional<Twist> twist = Twist{};
-  std::optional<bool> touches = std::nullopt;  // whether a contact names it; nothing: not known
+  std::optional<Theory> theory = Theory::solid;  // nothing: wrong
+  std::optional<bool> touches = std::nullopt;    // whether a contact names it; nothing: not known
 };
 
 // Whether a contact names any of them; nothing: not known, nor for no bodies.

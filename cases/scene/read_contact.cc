@@ -10,7 +10,7 @@ namespace mb {
 
 namespace {
 
-const Range stiffness_range{1, 1e20, "Pa/m"};
+const Range stiffness_range{1, 1e20, "Pa/m"}, hertz_range{1, 1e20, "N/m^1.5"};
 const Range damping_range{0, 1e6, "s/m"};
 const Range coefficient_range{0, 10, "", true};
 const Range slip_range{1e-9, 100, "m/s"};
@@ -37,10 +37,15 @@ std::optional<Friction> read_friction(Section& contact) {
   return Friction{*coefficient, *slip_speed};
 }
 
-// Names, where they name something.
-struct Meeting {
-  std::optional<std::string> body, obstacle;
-};
+std::optional<ContactLaw> read_law(Section& contact) {
+  if (!contact.has("law")) return ContactLaw::penalty;
+  const auto word = contact.choice("law", {{"penalty", "hertz"}, "law of contact", "laws of contact"});
+  if (!word) return std::nullopt;
+  if (*word == "penalty") return ContactLaw::penalty;
+  if (contact.has("friction"))
+    contact.findings().error(contact.where_key("friction"), "law 'hertz' has no friction: it acts along the normal");
+  return ContactLaw::hertz;
+}
 
 class ContactReader {
  public:
@@ -48,32 +53,41 @@ class ContactReader {
       : bodies_(names_of(bodies)), obstacles_(std::move(obstacles)), obstacle_names_(names_of(obstacles_)) {}
 
   void read(Section section) {
-    const Meeting meeting{read_reference(section, "body", bodies_, "body", "bodies"),
-                          read_reference(section, "obstacle", obstacle_names_, "obstacle", "obstacles")};
-    const auto stiffness = section.number_or("auto", 0, "stiffness", stiffness_range);
+    MeetingDraft meeting{read_reference(section, "body", bodies_, "body", "bodies"),
+                         read_reference(section, "obstacle", obstacle_names_, "obstacle", "obstacles"),
+                         read_law(section),
+                         false,
+                         section.where(),
+                         section.where("law")};
+    const bool hertz = meeting.law == ContactLaw::hertz;
+    const auto stiffness = section.number_or("auto", 0, "stiffness", hertz ? hertz_range : stiffness_range);
     const double damping = section.number("damping", damping_range, 0);
     const auto friction = read_friction(section);
     section.finish();
     note(section, meeting);
-    if (!meeting.body || !meeting.obstacle || !stiffness || !friction) return;
-    drafts_.pairs.push_back(
-        {*meeting.body, *meeting.obstacle, *stiffness, damping, friction->coefficient, friction->slip_speed});
+    for (const ObstacleDraft& obstacle : obstacles_)
+      if (meeting.obstacle && obstacle.name == meeting.obstacle) meeting.strikes = obstacle.strikes;
+    drafts_.meetings.push_back(meeting);
+    if (!meeting.body || !meeting.obstacle || !meeting.law || !stiffness || !friction) return;
+    drafts_.pairs.push_back({*meeting.body, *meeting.obstacle, *stiffness, damping, friction->coefficient,
+                             friction->slip_speed, *meeting.law});
   }
 
   // An obstacle that nothing meets was forgotten, unless it is the one that a contact misspells.
   ContactDrafts finished(Findings& findings) {
     for (const ObstacleDraft& obstacle : obstacles_) {
+      drafts_.strikes = drafts_.strikes || obstacle.strikes;
       if (!obstacle.name) continue;
       if (all_obstacles_known_ && !met_.contains(*obstacle.name)) {
         findings.error(obstacle.where, fmt::format("no [[contact]] names obstacle '{}'", *obstacle.name));
       }
-      if (obstacle.surface) drafts_.obstacles.push_back({*obstacle.name, *obstacle.surface});
+      if (obstacle.surface) drafts_.obstacles.push_back({*obstacle.name, *obstacle.surface, obstacle.striker});
     }
     return std::move(drafts_);
   }
 
  private:
-  void note(Section& section, const Meeting& meeting) {
+  void note(Section& section, const MeetingDraft& meeting) {
     drafts_.all_bodies_known = drafts_.all_bodies_known && meeting.body;
     all_obstacles_known_ = all_obstacles_known_ && meeting.obstacle;
     if (meeting.body) drafts_.bodies.insert(*meeting.body);

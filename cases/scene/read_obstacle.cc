@@ -33,6 +33,32 @@ std::optional<double> read_rounding(Section& section, const std::optional<Surfac
   return std::nullopt;
 }
 
+constexpr const char* striking[] = {"mass", "velocity", "youngs_modulus", "poissons_ratio"};
+
+// Where it strikes is not for the obstacle to say, and how is along z.
+void check_way(Section& section, const std::optional<Vector3d>& velocity) {
+  if (section.has("pose"))
+    section.findings().error(section.where_key("pose"),
+                             "an obstacle that strikes touches the middle of the body's top face at t = 0",
+                             "leave 'pose' out");
+  if (velocity && !(velocity->x() == 0 && velocity->y() == 0 && velocity->z() < 0))
+    section.error("velocity", "'velocity' of an obstacle that strikes must be [0, 0, -v], v > 0: it comes down");
+}
+
+// Of one that states any of these keys; nothing where something is wrong with them.
+std::optional<Striker> read_striker(Section& section, const std::optional<Surface>& surface) {
+  const auto mass = section.number("mass", {1e-12, 1e12, "kg"});
+  const auto velocity = section.vector("velocity", {-1e4, 1e4, "m/s"});
+  const auto modulus = section.number("youngs_modulus", {1, 1e13, "Pa"});
+  const auto ratio = section.number("poissons_ratio", {-1, 0.5, "", true, true});
+  check_way(section, velocity);
+  const auto* shape = surface ? std::get_if<Shape>(&*surface) : nullptr;
+  if (surface && !(shape && std::holds_alternative<Sphere>(*shape)))
+    section.error("shape", "an obstacle that strikes is a sphere: Hertz's law is that of one");
+  if (!mass || !velocity || !modulus || !ratio) return std::nullopt;
+  return Striker{*mass, -velocity->z(), *modulus, *ratio};
+}
+
 }  // namespace
 
 ObstacleDraft read_obstacle(Section section) {
@@ -41,6 +67,8 @@ ObstacleDraft read_obstacle(Section section) {
   const auto shape = table ? read_obstacle_shape(*table) : std::nullopt;
   const auto rounding = read_rounding(section, shape);
   const auto pose = read_pose(section, "pose");
+  for (const char* key : striking) obstacle.strikes = section.has(key) || obstacle.strikes;
+  if (obstacle.strikes) obstacle.striker = read_striker(section, shape);
   section.finish();
   if (shape && rounding && pose) obstacle.surface = RigidSurface{*shape, *rounding, *pose};
   return obstacle;

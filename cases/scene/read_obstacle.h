@@ -1,4 +1,4 @@
-// [[obstacle]]: a rigid thing that stands still.
+// [[obstacle]]: a rigid thing that stands still, or a ball that strikes.
 #pragma once
 
 #include "cases/scene/scene.h"
@@ -10,7 +10,9 @@ namespace mb {
 struct ObstacleDraft {
   std::optional<std::string> name;
   std::optional<RigidSurface> surface;
-  Position where;  // of its name
+  Position where;        // of its name
+  bool strikes = false;  // whether it states what moves it, right or wrong
+  std::optional<Striker> striker = std::nullopt;
 };
 
 ObstacleDraft read_obstacle(Section section);

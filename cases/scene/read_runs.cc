@@ -31,7 +31,9 @@ void check_meshes(const Rival& rival, const std::vector<Located<std::vector<int>
   const int degree = rival.degrees.empty() ? 1 : rival.degrees.back();
   for (const BodyDraft& body : bodies) {
     if (!body.shape) continue;
-    for (const auto& entry : cells) check_mesh(*body.shape, {degree, entry.value, rival.graded}, entry.where, findings);
+    if (!body.theory) continue;
+    for (const auto& entry : cells)
+      check_mesh(*body.shape, {degree, entry.value, rival.graded}, entry.where, findings, *body.theory);
   }
 }
 
@@ -95,6 +97,7 @@ Stepping read_stepping(Section section, const RunContext& context) {
   Stepping stepping;
   stepping.integrator = read_integrator(section, context.vocabulary);
   const auto methods = read_methods(section, context.vocabulary);
+  if (methods) check_functions(*methods, context.bodies, context.vocabulary, section.findings());
   stepping.methods = values_of(methods);
   const bool has_modes = section.has("modes");
   if (methods && !take_modes(*methods, context.vocabulary)) {
@@ -160,6 +163,18 @@ bool take_modes(const Methods& methods, const Vocabulary& vocabulary) {
                      [&](const auto& method) { return takes_modes(method.value, vocabulary); });
 }
 
+void check_functions(const Methods& methods, const std::vector<BodyDraft>& bodies, const Vocabulary& vocabulary,
+                     Findings& findings) {
+  for (const auto& method : methods) {
+    if (method.value == "full" || takes_modes(method.value, vocabulary)) continue;
+    for (const BodyDraft& body : bodies) {
+      if (body.theory.value_or(Theory::solid) == Theory::solid) continue;
+      findings.error(method.where, fmt::format("'{}' is of polynomials: body '{}' of theory '{}' moves in sine modes",
+                                               method.value, body.name.value_or(""), to_string(*body.theory)));
+    }
+  }
+}
+
 std::optional<ModeCounts> read_modes(Section& section) {
   const auto modes = section.integers("modes", {0, 4096}, {1, 64});
   if (modes) check_ascending(*modes, "modes", section.findings());
@@ -168,8 +183,8 @@ std::optional<ModeCounts> read_modes(Section& section) {
 
 void check_mode_counts(const ModeCounts& modes, const std::vector<BodyDraft>& bodies, Findings& findings) {
   for (const BodyDraft& body : bodies) {
-    if (!body.shape || !body.resolution) continue;
-    const double most = n_dofs(*body.shape, *body.resolution) - 6;
+    if (!body.shape || !body.resolution || !body.theory) continue;
+    const double most = n_elastic(*body.shape, *body.resolution, *body.theory);
     for (const auto& entry : modes) {
       if (entry.value <= most) continue;
       findings.error(entry.where, fmt::format("{} elastic modes: {} of body '{}' has at most {:.0f}", entry.value,

@@ -33,6 +33,10 @@ std::optional<Methods> read_methods(Section& section, const Vocabulary& vocabula
 bool take_modes(const Methods& methods, const Vocabulary& vocabulary);  // whether any of them does
 bool takes_modes(const std::string& method, const Vocabulary& vocabulary);
 
+// Records methods whose functions are polynomials, which bodies of beam and plate theory do not have.
+void check_functions(const Methods& methods, const std::vector<BodyDraft>& bodies, const Vocabulary& vocabulary,
+                     Findings& findings);
+
 // `modes`: ascending, required.
 std::optional<ModeCounts> read_modes(Section& section);
 // No mode count may exceed the number of unknowns of the meshes whose modes they are.

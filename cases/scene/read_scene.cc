@@ -12,6 +12,7 @@
 #include "cases/scene/read_load.h"
 #include "cases/scene/read_profile.h"
 #include "cases/scene/read_study.h"
+#include "cases/scene/read_theory.h"
 #include "cases/scene/read_time.h"
 #include "cases/scene/read_truth.h"
 #include "cases/scene/resolution.h"
@@ -57,8 +58,8 @@ void check_crossings(Section& section, const BodyDraft& body, const Times& times
 
 // Each ratio belongs to a mode of the body's mesh.
 void check_ratios(const BodyDraft& body, Findings& findings) {
-  if (!body.shape || !body.resolution) return;
-  const double most = n_dofs(*body.shape, *body.resolution) - 6;
+  if (!body.shape || !body.resolution || !body.theory) return;
+  const double most = n_elastic(*body.shape, *body.resolution, *body.theory);
   const auto n = static_cast<double>(body.damping.ratios.size());
   if (n <= most) return;
   findings.error(body.damping.ratios_at,
@@ -149,7 +150,8 @@ std::vector<BodyDraft> read_mechanics(Section& root, const Times& times, const H
   read_loads(root, bodies, history, scene);
   check_contact_rules(root, bodies, contacts, gravity);
   scene.gravity = gravity.value_or(Vector3d::Zero());
-  scene.obstacles = contacts.obstacles;
+  check_strikes(root, bodies, contacts);
+  scene.obstacles = placed(contacts.obstacles, contacts.pairs, bodies);
   scene.contacts = contacts.pairs;
   return bodies;
 }

@@ -15,7 +15,10 @@ const char* kind_name(const Shape& shape) {
   return names[shape.index()];
 }
 
-std::size_t n_cell_entries(const Shape& shape) { return 3 - shape.index(); }
+std::size_t n_cell_entries(const Shape& shape, Theory theory) {
+  if (theory == Theory::solid) return 3 - shape.index();
+  return theory == Theory::euler_bernoulli ? 1 : 2;
+}
 
 namespace {
 
@@ -59,9 +62,34 @@ Cells even_cells(const Shape& shape, const std::vector<int>& cells) {
       shape);
 }
 
+double n_half_waves(const Resolution& resolution) {
+  double n = 1;
+  for (const int along : resolution.cells) n *= along;
+  return n;
+}
+
+// Of beams and plates: whether such half waves can be taken.
+bool check_half_waves(const Resolution& resolution, Theory theory, const Position& where, Findings& findings) {
+  const bool beam = theory == Theory::euler_bernoulli;
+  const std::string of = fmt::format("a body of theory '{}'", to_string(theory));
+  const auto refuse = [&](const std::string& message, const std::string& help = "") {
+    findings.error(where, message, help);
+    return false;
+  };
+  if (resolution.degree != 1 || resolution.graded != 0)
+    return refuse(fmt::format("{} has no mesh but half waves: its degree must be 1, and it is not graded", of));
+  if (const std::size_t n = beam ? 1 : 2; resolution.cells.size() != n)
+    return refuse(fmt::format("'cells' of {} has {} entries: must be {}", of, resolution.cells.size(), n),
+                  beam ? "half waves along x" : "half waves along x, along y");
+  const double n = n_half_waves(resolution);
+  if (n >= 1 && n <= most_half_waves) return true;
+  return refuse(fmt::format("{} half waves of {}: must lie in [1, {:.0f}]", n, of, most_half_waves));
+}
+
 }  // namespace
 
-double n_dofs(const Shape& shape, const Resolution& resolution) {
+double n_dofs(const Shape& shape, const Resolution& resolution, Theory theory) {
+  if (theory != Theory::solid) return n_half_waves(resolution) + 1;
   const double even = even_n_dofs(shape, resolution);
   if (resolution.graded == 0 || even == 0) return even;
   const auto [n, diameter] = even_cells(shape, resolution.cells);
@@ -71,7 +99,13 @@ double n_dofs(const Shape& shape, const Resolution& resolution) {
   return even + 3 * std::pow(resolution.degree, 3) * (all - n);
 }
 
-bool check_mesh(const Shape& shape, const Resolution& resolution, const Position& where, Findings& findings) {
+double n_elastic(const Shape& shape, const Resolution& resolution, Theory theory) {
+  return n_dofs(shape, resolution, theory) - (theory == Theory::solid ? 6 : 1);
+}
+
+bool check_mesh(const Shape& shape, const Resolution& resolution, const Position& where, Findings& findings,
+                Theory theory) {
+  if (theory != Theory::solid) return check_half_waves(resolution, theory, where, findings);
   if (std::holds_alternative<Superquadric>(shape)) {
     findings.error(where, "a superquadric has no mesh");
     return false;
@@ -105,16 +139,17 @@ bool check_mesh(const Shape& shape, const Resolution& resolution, const Position
   return false;
 }
 
-std::optional<Resolution> read_resolution(Section section, const std::optional<Shape>& shape) {
+std::optional<Resolution> read_resolution(Section section, const std::optional<Shape>& shape, Theory theory) {
   const auto degree = section.integer("degree", degree_range);
-  const Count entries = shape ? Count{n_cell_entries(*shape), n_cell_entries(*shape)} : Count{1, 3};
+  const std::size_t n = shape ? n_cell_entries(*shape, theory) : 0;
+  const Count entries = shape ? Count{n, n} : Count{1, 3};
   const bool disc = !shape || std::holds_alternative<Cylinder>(*shape);
   const auto cells = section.integers("cells", disc ? any_cells_range : cells_range, entries);
   section.finish();
   if (!degree || !cells) return std::nullopt;
   Resolution resolution{*degree, {}};
   for (const auto& entry : *cells) resolution.cells.push_back(entry.value);
-  if (shape && !check_mesh(*shape, resolution, section.where("cells"), section.findings())) return std::nullopt;
+  if (shape && !check_mesh(*shape, resolution, section.where("cells"), section.findings(), theory)) return std::nullopt;
   return resolution;
 }
 

@@ -29,6 +29,20 @@ std::string to_string(const Resolution& resolution) {
   return resolution.graded == 0 ? even : fmt::format("{} graded {}", even, resolution.graded);
 }
 
+const char* to_string(Theory theory) {
+  static constexpr const char* names[] = {"solid", "euler-bernoulli", "kirchhoff"};
+  return names[static_cast<std::size_t>(theory)];
+}
+
+bool is_held(const Body& body) { return !body.supports.empty() || body.theory != Theory::solid; }
+
+const Obstacle* striker_of(const Scene& scene, const Body& body) {
+  for (const ContactPair& pair : scene.contacts)
+    for (const Obstacle& obstacle : scene.obstacles)
+      if (pair.body == body.name && pair.obstacle == obstacle.name && obstacle.striker) return &obstacle;
+  return nullptr;
+}
+
 VectorXd frame_times(const Scene& scene) { return times_at(scene.frame_rate, scene.duration); }
 
 VectorXd sample_times(const Scene& scene) { return times_at(scene.samples_per_second, scene.duration); }

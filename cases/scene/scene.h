@@ -23,6 +23,7 @@ namespace mb {
 // splits of its seven blocks (a power of two)}.
 // graded: so many times every cell near the first touch of each contact is halved in all directions, cells nearer
 // more often (reference/fem/grading.h).
+// Of a body of beam or plate theory: degree 1, cells the numbers of half waves {along x} or {along x, along y}.
 struct Resolution {
   int degree;              // in [1, 4]
   std::vector<int> cells;  // each in [1, 1024]; splits of a cylinder also 0
@@ -46,6 +47,12 @@ struct Support {
   std::optional<Drive> drive = std::nullopt; /* of driven supports; all of a body state the same */
 };
 
+// How a body deforms: as a solid, or as the theory of thin bodies has it, which states its supports, too: an
+// Euler-Bernoulli beam is a box along x that bends along z, simply supported at both ends; a Kirchhoff plate is a box
+// thin along z, simply supported on its four edges (reference/theory/theory_model.h).
+enum class Theory { solid, euler_bernoulli, kirchhoff };
+const char* to_string(Theory theory);  // "solid", "euler-bernoulli", "kirchhoff"
+
 struct Body {
   std::string name;
   Shape shape;
@@ -56,21 +63,38 @@ struct Body {
   std::vector<Support> supports;
   Pose pose = {};   // at t = 0, of the frame in which the shape is centred
   Twist twist = {}; /* at t = 0 */
+  Theory theory = Theory::solid;
+};
+bool is_held(const Body& body);  // by supports or by its theory: its frame stands still
+
+// Makes an obstacle a ball that moves along z alone, as a rigid one: at t = 0 it touches the middle of a body's top
+// face and comes down. Its elasticity counts in Hertz's law.
+struct Striker {
+  double mass;            // m [kg] > 0
+  double speed;           // v [m/s] > 0, along -z
+  double youngs_modulus;  // [Pa] > 0
+  double poissons_ratio;  /* [-] in (-1, 1/2) */
 };
 
-// A rigid thing that stands still.
+// A rigid thing that stands still, or strikes.
 struct Obstacle {
   std::string name;
   RigidSurface surface;
+  std::optional<Striker> striker = std::nullopt;  // then the surface is a sphere, where it is at t = 0
 };
+
+// penalty: a layer on the body's surface, whose meshes and modes carry the local compliance. hertz: lumped, that of
+// both bodies in one point, F = k delta^(3/2): for theories, which have no local compliance.
+enum class ContactLaw { penalty, hertz };
 
 // What happens where a body meets an obstacle: points of the body's surface feel the law (mechanics/contact/law.h).
 struct ContactPair {
   std::string body, obstacle;
-  double stiffness;       // k_n [Pa/m]; 0: auto, from body and contact size (mechanics/contact/stiffness.h)
+  double stiffness;       // k_n [Pa/m], of hertz k [N/m^1.5]; 0: auto, from the bodies and the size of the contact
   double damping = 0;     // d [s/m]
   double friction = 0;    // mu [-]; 0: frictionless
   double slip_speed = 0;  // v_eps [m/s] of friction
+  ContactLaw law = ContactLaw::penalty;
 };
 
 struct Traction {
@@ -161,6 +185,9 @@ struct Scene {
   ReferenceFrequencies reference_frequencies;
   std::string profile;  // "quick", "standard" or "full"
 };
+
+// The obstacle that strikes the body; nullptr: none does.
+const Obstacle* striker_of(const Scene& scene, const Body& body);
 
 VectorXd frame_times(const Scene& scene);   // [s] 0, 1/rate, ... up to the duration
 VectorXd sample_times(const Scene& scene);  // [s] likewise at samples_per_second

@@ -55,7 +55,7 @@ std::vector<int> few(const std::vector<int>& counts, int n_wanted) {
   return picked;
 }
 
-bool is_free(const AnalysisContext& context) { return context.scene->bodies.front().supports.empty(); }
+bool is_free(const AnalysisContext& context) { return !is_held(context.scene->bodies.front()); }
 
 Finding table(std::string analysis, std::string name, std::string title, std::string note,
               std::vector<FindingColumn> columns) {

@@ -51,7 +51,7 @@ double impulse_error(const Trajectory& answer, const Trajectory& truth, const Me
   return a && b ? (a->impulse - b->impulse).norm() / b->impulse.norm() : nan;
 }
 double restitution_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
-  if (!context.free) return nan;
+  if (!context.free && !striker_of(context.scene, body(context))) return nan;
   const auto value = [&](const Touch& t) { return restitution(context.scene, body(context), t); };
   return difference(answer, truth, context, value, false);
 }
@@ -64,9 +64,12 @@ double force_error(const Trajectory& answer, const Trajectory& truth, const Metr
   return size > 0 ? std::sqrt((f - f_true).colwise().squaredNorm().dot(tau) / size) : nan;
 }
 
-// [J] kinetic energy at the first touch, or the largest that contacts hold: what is in play.
+// [J] kinetic energy at the first touch, that of what strikes the body included, or the largest that contacts hold:
+// what is in play.
 double energy_brought(const Trajectory& answer, const MetricContext& context) {
   const Body& b = body(context);
+  if (const Obstacle* obstacle = striker_of(context.scene, b))
+    return 0.5 * obstacle->striker->mass * obstacle->striker->speed * obstacle->striker->speed;
   const Touch* touch = first_touch(answer, context);
   const Vector3d v = b.twist.velocity + (touch ? touch->start : 0) * context.scene.gravity;
   const double stored = of(answer, context).contact.stored.maxCoeff();
@@ -101,6 +104,11 @@ double touch_size(const Trajectory&, const MetricContext&) { return 1; }
 }  // namespace
 
 double restitution(const Scene& scene, const Body& b, const Touch& touch) {
+  if (const Obstacle* obstacle = striker_of(scene, b)) {
+    const auto& [m, speed, E, nu] = *obstacle->striker;
+    const Vector3d up = b.pose.orientation * Vector3d::UnitZ();
+    return -touch.impulse.dot(up) / (m * speed) - 1;  // the impulse is that on the body
+  }
   const Vector3d v = b.twist.velocity + touch.start * scene.gravity;
   const Vector3d after = v + touch.impulse / mass(b) + (touch.end - touch.start) * scene.gravity;
   const Vector3d along = touch.impulse.normalized();
@@ -119,7 +127,8 @@ std::vector<Metric> contact_metrics() {
       add("contact-duration", "-", "Relative error of the duration of the first touch.", &duration_error),
       add("peak-force", "-", "Relative error of the largest contact force of the first touch.", &peak_force_error),
       add("impulse", "-", "Relative error of the impulse of the first touch, as a vector.", &impulse_error),
-      add("restitution", "-", "Difference of the coefficients of restitution of the first touch; free bodies.",
+      add("restitution", "-",
+          "Difference of the coefficients of restitution of the first touch; free bodies, and what strikes one.",
           &restitution_error),
       add("force-error", "-", "Relative L2 error over time of the contact force.", &force_error),
       add("energy-gain", "-",

@@ -59,7 +59,9 @@ const std::map<std::string, Origin>& origins() {
       {"peak-force", {"|F - F*| / F*, F = max_t |f(t)|, f: all contact forces on the body" + first, touch}},
       {"impulse", {"|J - J*| / |J*|, J = int f dt by the integrator's own quadrature" + first, touch}},
       {"restitution",
-       {"|e - e*|, e = -(v + J/m + g (t_1 - t_0)) . j / (v . j), j = J/|J|, v: velocity of the centroid at t_0" + first,
+       {"|e - e*|, e = -(v + J/m + g (t_1 - t_0)) . j / (v . j), j = J/|J|, v: velocity of the centroid at t_0; of a "
+        "ball that strikes the body |J|/(m v) - 1, m and v: the ball's" +
+            first,
         "Stronge 2000, Impact Mechanics, sect. 2.5"}},
       {"force-error", {"sqrt(sum_t tau |f - f*|^2 / sum_t tau |f*|^2)" + signal, l2}},
       {"energy-gain",

@@ -19,7 +19,8 @@ void expect_body(const Trajectory& trajectory, const MetricContext& context) {
   expect(static_cast<Index>(trajectory.bodies.size()) == static_cast<Index>(context.scene.bodies.size()),
          "metric: an answer has another number of bodies than its scene");
   const BodyTrajectory& body = trajectory.bodies[static_cast<std::size_t>(context.body)];
-  expect(body.displacement.rows() == 3 * context.points.size() && body.displacement.cols() == trajectory.t.size(),
+  expect(body.displacement.rows() == 3 * context.points.size() &&
+             (body.displacement.cols() == 0 || body.displacement.cols() == trajectory.t.size()),
          "metric: an answer has other points or times than its context");
   expect(body.strain.cols() == 0 ||
              (body.strain.rows() == 6 * context.points.n_strained() && body.strain.cols() == trajectory.t.size()),
@@ -41,6 +42,12 @@ void expect_context(const Metric& metric, const MetricContext& context) {
   expect(context.probe >= 0 && context.probe < static_cast<Index>(scene.probes.size()), "metric: no such probe");
   const Probe& probe = scene.probes[static_cast<std::size_t>(context.probe)];
   expect(probe.body == scene.bodies[static_cast<std::size_t>(context.body)].name, "metric: probe of another body");
+}
+
+// Closed forms of contact alone say nothing of how the body deforms.
+bool says_nothing(const Metric& metric, const Trajectory& trajectory, const MetricContext& context) {
+  const BodyTrajectory& body = trajectory.bodies[static_cast<std::size_t>(context.body)];
+  return !metric.contact_only && body.displacement.cols() < trajectory.t.size();
 }
 
 }  // namespace
@@ -76,6 +83,8 @@ Mark mark(const Metric& metric, const Trajectory& answer, const Trajectory& trut
     if (!finite.answer) return {nan, "not_finite"};
   }
   if (metric.free_only && !context.free) return {nan, "undefined: the body is not free"};
+  if (says_nothing(metric, truth, context) || (!metric.of_truth_alone && says_nothing(metric, answer, context)))
+    return {nan, "undefined: answer or truth has no displacement"};
   const double value = metric.value(answer, truth, context);
   // Finite answers give NaN where they are 0/0, and infinity where they are too large to be squared.
   if (std::isnan(value))
@@ -86,6 +95,7 @@ Mark mark(const Metric& metric, const Trajectory& answer, const Trajectory& trut
 double truth_size(const Metric& metric, const Trajectory& truth, const MetricContext& context) {
   expect_context(metric, context);
   expect_body(truth, context);
+  if (says_nothing(metric, truth, context)) return nan;
   return metric.size ? metric.size(truth, context) : 1;
 }
 

@@ -58,7 +58,7 @@ struct Finite {
 Mark mark(const Metric& metric, const Trajectory& answer, const Trajectory& truth, const MetricContext& context,
           const Finite& finite);
 
-// Metric::size, or 1. Infinite at a probe where the truth has nothing.
+// Metric::size, or 1. Infinite at a probe where the truth has nothing; NaN where it has no displacement to be compared.
 double truth_size(const Metric& metric, const Trajectory& truth, const MetricContext& context);
 
 // How far two truths are apart in the eyes of a metric, >= 0: what error bars are summed from. NaN where undefined.

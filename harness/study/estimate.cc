@@ -35,8 +35,11 @@ double assembly(const Mesh& mesh) { return 2e-4 * mesh.n / mesh.degree; }
 double modes(const Mesh& mesh, double r) { return (70 + r) * 9 * step(mesh); }
 double dense(double n) { return 2e-9 * n * n * n; }
 
-// A factor's rows are about as wide as what parts the mesh in two: a layer across its longest direction.
-double front(const Shape& shape, const Resolution& resolution) {
+// A factor's rows are about as wide as what parts the mesh in two: a layer across its longest direction. Half waves of
+// beams and plates know nothing of each other.
+double front(const Body& body, const Resolution& resolution) {
+  if (body.theory != Theory::solid) return 1;
+  const Shape& shape = body.shape;
   const auto nodes = [&](size_t i) { return static_cast<double>(resolution.degree * resolution.cells[i] + 1); };
   const double n = n_dofs(shape, resolution);
   if (std::holds_alternative<Box>(shape)) return n / std::max({nodes(0), nodes(1), nodes(2)});
@@ -70,8 +73,8 @@ class CaseEstimate {
   Mesh mesh(const Resolution& resolution) const {
     Mesh all{0, 0, resolution.degree};
     for (const Body& body : scene_.bodies) {
-      all.n += n_dofs(body.shape, resolution);
-      all.front = std::max(all.front, front(body.shape, resolution));
+      all.n += n_dofs(body.shape, resolution, body.theory);
+      all.front = std::max(all.front, front(body, resolution));
     }
     return all;
   }

@@ -98,7 +98,7 @@ class CaseRun {
 
   std::vector<bool> free_bodies() const {
     std::vector<bool> free;
-    for (const Body& body : scene_->bodies) free.push_back(body.supports.empty());
+    for (const Body& body : scene_->bodies) free.push_back(!is_held(body));
     return free;
   }
 

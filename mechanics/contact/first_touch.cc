@@ -1,11 +1,8 @@
 #include "mechanics/contact/first_touch.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "mechanics/contact/first_touch_certificate.h"
 #include "mechanics/contact/first_touch_instant.h"
@@ -44,7 +41,6 @@ class March {
   Front front(double t, double horizon);
   std::optional<FirstTouch> touch_at(double t);
   FirstTouch answer(FirstTouch::Kind kind, double t, const NearPoint& p, double clear) const;
-  [[noreturn]] void give_up(double t) const;
 
   TouchSurface& surface_;
   CountedMotion motion_;
@@ -77,12 +73,6 @@ FirstTouch March::answer(FirstTouch::Kind kind, double t, const NearPoint& p, do
   return {kind, t, p.X, p.motion.x, p.normal, p.gap.value, std::max(0.0, t - clear), motion_.n_evaluations()};
 }
 
-void March::give_up(double t) const {
-  throw std::runtime_error(
-      fmt::format("first_touch: no proof beyond t = {} s, where the gap is {} m, in {} evaluations", t, near_.gap.value,
-                  motion_.n_evaluations()));
-}
-
 std::optional<FirstTouch> March::touch_at(double t) {
   const auto touch = touch_instant(descent_, {t, near_}, search_.t0, before_, search_.t1, tolerance(near_, t),
                                    circumradius(surface_.shape()));
@@ -94,7 +84,7 @@ March::Front March::front(double t, double horizon) {
   const bool first = t == search_.t0;
   PatchPoint start = near_.at;
   while (true) {
-    if (motion_.spent()) give_up(t);
+    if (motion_.spent()) return {answer(FirstTouch::undecided, t, near_, t)};
     near_ = descent_.nearest(start, t, leaving_ ? infinity : 0, search_.tolerance);
     const double m = near_.gap.value, tol = tolerance(near_, t);
     if (first && m < -std::max(tol, leaving_ ? search_.depth : 0)) return {answer(FirstTouch::overlap, t, near_, t)};
@@ -134,7 +124,7 @@ std::optional<FirstTouch> March::run() {
     const bool stuck = !(t + step > t), slow = now.spent && step < 0.3 * way;
     if (!leaving_ && (stuck || slow))
       if (auto touch = touch_at(t); touch && (stuck || touch->bracket < 4 * way)) return touch;
-    if (stuck) give_up(t);
+    if (stuck) return answer(FirstTouch::undecided, t, near_, t);
     before_ = t;
     t = to_the_end ? search_.t1 : t + step;
     horizon = std::min(search_.t1 - t, 4 * step);

@@ -12,6 +12,8 @@
 //            [t0, t - bracket], and bracket <= tol / |m'(t)| unless the budget below ran out.
 //   grazing  m turns within [-tol, tol], or the search ends there; t is the time of its least value.
 //   overlap  m(t0) < -tol: not in flight at all; t = t0. (Leaving: m(t0) < -depth.)
+//   undecided  the budget is spent before an answer: a body that skims along the obstacle at a gap near the tolerance.
+//            It does not touch before t, and may soon: who steps from then on misses nothing.
 // Starting within the tolerance is touching: a hit or a grazing at once, unless the body is leaving.
 //
 // Leaving: the body has just been let go, m(t0) in [-depth, tol]. Until m has first exceeded tol, a touch counts only
@@ -62,7 +64,7 @@ struct TouchSearch {
 };
 
 struct FirstTouch {
-  enum Kind { hit, grazing, overlap };
+  enum Kind { hit, grazing, overlap, undecided };
   Kind kind;
   double t;            // [s]
   Vector3d X, x;       // [m] the point of the body that touches, at rest and in the world; of several one
@@ -73,8 +75,7 @@ struct FirstTouch {
 };
 
 // Nothing where the body stays clear. Throws std::invalid_argument for a search, shape or obstacle out of range and
-// where the motion or its bounds are not finite (or a bound negative); std::runtime_error, with time and gap, where the
-// budget is spent without an answer: a body that skims along the obstacle at a gap near the tolerance.
+// where the motion or its bounds are not finite (or a bound negative).
 std::optional<FirstTouch> first_touch(const Shape& body, const BodyMotion& motion, const RigidSurface& obstacle,
                                       const TouchSearch& search);
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "modal/bases/dense_modes.h"
+#include "modal/bases/diagonal_modes.h"
 #include "modal/bases/largest_eigenvalue.h"
 #include "modal/bases/shift_invert.h"
 
@@ -65,6 +66,12 @@ Modes lowest(const System& system, int n_elastic, const ShiftedFactor& shifted) 
   }
 }
 
+std::optional<Modes> known(const System& system, int n_elastic) {
+  const auto elastic = diagonal_modes(system, n_elastic);
+  if (!elastic) return std::nullopt;
+  return gated(system, *elastic, n_elastic, system.K.diagonal().cwiseQuotient(system.M.diagonal()).maxCoeff());
+}
+
 Modes all(const System& system, int n_elastic) {
   const ElasticModes elastic = dense_modes(system);
   return gated(system, elastic, n_elastic, elastic.lambda(elastic.lambda.size() - 1));
@@ -76,6 +83,7 @@ ElasticModes elastic_modes(const System& system, int n_elastic, const ShiftedFac
   check(system, n_elastic);
   if (shifted.factor.size() != system.K.rows()) throw std::invalid_argument("modes: factor of another size");
   n_elastic = at_most_all(system, n_elastic);
+  if (auto modes = diagonal_modes(system, n_elastic)) return *modes;
   return needs_dense(system, n_elastic) ? dense_modes(system) : shift_invert(system, n_elastic, shifted, usual);
 }
 
@@ -83,6 +91,7 @@ Modes lowest_modes(const System& system, int n_elastic, const ShiftedFactor& shi
   check(system, n_elastic);
   if (shifted.factor.size() != system.K.rows()) throw std::invalid_argument("modes: factor of another size");
   n_elastic = at_most_all(system, n_elastic);
+  if (auto modes = known(system, n_elastic)) return *modes;
   return needs_dense(system, n_elastic) ? all(system, n_elastic) : lowest(system, n_elastic, shifted);
 }
 
@@ -90,6 +99,7 @@ Modes lowest_modes(const System& system, int n_elastic, double shift) {
   check(system, n_elastic);
   if (!(shift < 0)) throw std::invalid_argument("modes: the shift must be negative");
   n_elastic = at_most_all(system, n_elastic);
+  if (auto modes = known(system, n_elastic)) return *modes;
   return needs_dense(system, n_elastic) ? all(system, n_elastic)
                                         : lowest(system, n_elastic, shifted_factor(system, shift));
 }

@@ -9,7 +9,7 @@ namespace mb {
 
 namespace {
 
-constexpr int max_iterations = 30;
+constexpr int max_iterations = 30, max_rounds = 10;
 constexpr double balanced = 1e-10;  // [-] of the forces in the balance: far below the error of any step
 
 }  // namespace
@@ -38,7 +38,7 @@ bool ContactLoads::balance(VectorXd& s) {
   for (int i = 0; i < max_iterations; ++i) {
     if (!std::isfinite(off)) return false;
     if (off <= balanced * std::max(size, at_first)) return true;
-    step_ = H_.partialPivLu().solve(r_);
+    step_ = factor_.compute(H_).solve(r_);
     for (int halving = 0; halving < 10; ++halving, step_ /= 2) {
       s += step_;
       const auto [off_next, size_next] = imbalance();
@@ -48,6 +48,19 @@ bool ContactLoads::balance(VectorXd& s) {
       }
       s -= step_;
     }
+  }
+  return false;
+}
+
+// Static shapes may bring more samples to the obstacle than were looked at: then once more, from where they came to.
+bool ContactLoads::settle(BodyState& state, const Vector3d& Omega) {
+  for (int round = 0; round < max_rounds; ++round) {
+    for (const auto& pair : pairs_) pair->look(state, Omega);
+    if (body_.n_static() == 0) return true;
+    if (!balance(state.s)) return false;
+    bool covered = true;
+    for (const auto& pair : pairs_) covered = pair->covers(state.s) && covered;
+    if (covered) return true;
   }
   return false;
 }
@@ -62,11 +75,8 @@ void ContactLoads::operator()(BodyState& state, const Vector3d& Omega, ContactLo
           0,
           true};
   load.modal.setZero(body_.n_modes());
-  for (const auto& pair : pairs_) pair->look(state, Omega);
-  if (body_.n_static() > 0) {
-    load.converged = balance(state.s);
-    load.stored += 0.5 * state.s.dot(body_.static_stiffness * state.s);
-  }
+  load.converged = settle(state, Omega);
+  if (body_.n_static() > 0) load.stored += 0.5 * state.s.dot(body_.static_stiffness * state.s);
   for (const auto& pair : pairs_) pair->act(state.s, load);
 }
 

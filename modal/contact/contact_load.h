@@ -4,8 +4,8 @@
 //
 // Static shapes are in balance with the forces they carry, K_s s = sum Psi_i^T Q^T f_i: Newton's method in a few
 // unknowns, a convex problem without friction. Their rate is left out of the law's damping. Against a half-space
-// without friction only normal components are formed, once an orientation. Only samples are visited which the
-// deformation, bounded by sum_k |q_k| max_i |Phi_ik|, can bring to an obstacle (reach.h).
+// without friction only normal components are formed, once an orientation. Only samples are visited that can press
+// (reach.h).
 #pragma once
 
 #include <memory>
@@ -40,12 +40,14 @@ class ContactLoads {
   MatrixXd stiffness(const VectorXd& s, double rate);
 
  private:
+  bool settle(BodyState& state, const Vector3d& Omega);
   bool balance(VectorXd& s);
 
   const FloatingBody& body_;
   std::vector<std::unique_ptr<ContactPair>> pairs_;
   VectorXd r_, step_;  // n_s
   MatrixXd H_;
+  Eigen::PartialPivLU<MatrixXd> factor_;
 };
 
 }  // namespace mb

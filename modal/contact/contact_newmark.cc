@@ -11,78 +11,125 @@ namespace mb {
 
 namespace {
 
-constexpr int max_iterations = 30, max_halvings = 8;
-constexpr double tolerance = 1e-10;  // [-] of the momenta in play: far below the error of any step
+constexpr int max_iterations = 30;
+constexpr double least_part = 1.0 / 128;  // [-] of Newton's step
+constexpr double tolerance = 1e-10;       // [-] of the momenta in play: far below the error of any step
+
+// One step from `state`, whose load is known, on.
+class NewmarkStep {
+ public:
+  NewmarkStep(const FloatingBody& body, const VectorXd& lambda, const VectorXd& c, double h, ContactState& state)
+      : body_(body),
+        lambda_(lambda),
+        c_(c),
+        h_(h),
+        state_(state),
+        start_(state),
+        n_frame_(body.free ? 6 : 0),
+        r_(body.n_modes()),
+        y0_(n_frame_ + r_),
+        mass_(n_frame_ + r_) {
+    if (body.free) {
+      y0_.head<6>() << start_.body.v, angular_velocity(body, start_.body);
+      mass_.head<6>() << Vector3d::Constant(body.mass), body.inertia.diagonal();
+    }
+    y0_.tail(r_) = start_.body.p;
+    mass_.tail(r_).setOnes();
+    momentum0_ = momentum();
+    f_ = f0_ = forces();
+  }
+
+  const VectorXd& y0() const { return y0_; }
+
+  // Puts the end of the step for rates y into the state, but for its load.
+  void place(const VectorXd& y) {
+    BodyState& b = state_.body;
+    b.q = start_.body.q + h_ / 2 * (start_.body.p + y.tail(r_));
+    b.p = y.tail(r_);
+    if (!body_.free) return;
+    b.c = start_.body.c + h_ / 2 * (start_.body.v + y.head<3>());
+    b.v = y.head<3>();
+    b.Q = turned(start_.body.Q, h_ / 2 * (y0_.segment<3>(3) + y.segment<3>(3)));
+    b.L = b.Q * (body_.inertia * (b.Q.conjugate() * y.segment<3>(3)));
+  }
+  // Of momentum [kg m/s, kg m^2/s, kg^1/2 m/s], with the load of the state as it is.
+  VectorXd imbalance() {
+    f_ = forces();
+    return momentum() - momentum0_ - h_ / 2 * (f0_ + f_);
+  }
+  double size(const VectorXd& x) const {
+    return std::isfinite(x.sum()) ? std::sqrt((x.array().square() / mass_.array()).sum())
+                                  : std::numeric_limits<double>::infinity();
+  }
+  double in_play() const { return size(momentum0_) + h_ * size(f0_) + h_ * size(f_); }
+
+  VectorXd newton_step(const VectorXd& residual, const MatrixXd& contact_stiffness) const {
+    MatrixXd jacobian = h_ * h_ / 4 * contact_stiffness;
+    jacobian.diagonal().tail(r_).array() += 1 + h_ / 2 * c_.array() + h_ * h_ / 4 * lambda_.array();
+    if (body_.free) {
+      const Eigen::Matrix3d Q = state_.body.Q.toRotationMatrix();
+      jacobian.diagonal().head<3>().array() += body_.mass;
+      jacobian.block<3, 3>(3, 3) += Q * body_.inertia * Q.transpose();
+    }
+    return jacobian.partialPivLu().solve(residual);
+  }
+  // Momenta from the forces themselves: handed over to rounding, not to the tolerance.
+  void hand_over() {
+    if (body_.free) {
+      state_.body.v = start_.body.v + h_ / (2 * body_.mass) * (f0_.head<3>() + f_.head<3>());
+      state_.body.L = start_.body.L + h_ / 2 * (f0_.segment<3>(3) + f_.segment<3>(3));
+    }
+    state_.impulse = start_.impulse + h_ / 2 * (start_.load.force + state_.load.force);
+    state_.dissipated = start_.dissipated + h_ / 2 * (start_.load.dissipation + state_.load.dissipation);
+  }
+
+ private:
+  VectorXd momentum() const {
+    VectorXd all(n_frame_ + r_);
+    if (body_.free) all.head<6>() << body_.mass * state_.body.v, state_.body.L;
+    all.tail(r_) = state_.body.p;
+    return all;
+  }
+  VectorXd forces() const {
+    VectorXd all(n_frame_ + r_);
+    if (body_.free) all.head<6>() << state_.load.force + body_.mass * body_.gravity, state_.load.torque;
+    all.tail(r_) =
+        state_.load.modal + body_.weight - c_.cwiseProduct(state_.body.p) - lambda_.cwiseProduct(state_.body.q);
+    return all;
+  }
+
+  const FloatingBody& body_;
+  const VectorXd &lambda_, &c_;
+  double h_;
+  ContactState& state_;
+  const ContactState start_;
+  Index n_frame_, r_;
+  VectorXd y0_, mass_, momentum0_, f0_, f_;
+};
 
 }  // namespace
 
 bool ContactStepper::advance_by_newmark(ContactState& state) {
-  const Index n_frame = body_.free ? 6 : 0, r = body_.n_modes(), n = n_frame + r;
-  const BodyState start = state.body;
-  const Vector3d impulse = state.impulse, force_before = state.load.force;
-  const double dissipated = state.dissipated, dissipation_before = state.load.dissipation;
-  VectorXd y0(n), momentum0(n), mass(n), f(n);
-  const auto forces = [&] {
-    if (body_.free) f.head<6>() << state.load.force + body_.mass * body_.gravity, state.load.torque;
-    f.tail(r) = state.load.modal + body_.weight - c_.cwiseProduct(state.body.p) - lambda_.cwiseProduct(state.body.q);
-  };
-  if (body_.free) {
-    y0.head<6>() << start.v, angular_velocity(body_, start);
-    momentum0.head<6>() << body_.mass * start.v, start.L;
-    mass.head<6>() << Vector3d::Constant(body_.mass), body_.inertia.diagonal();
-  }
-  y0.tail(r) = momentum0.tail(r) = start.p;
-  mass.tail(r).setOnes();
-  forces();
-  const VectorXd f0 = f;
-  const auto size = [&](const VectorXd& x) {
-    return std::isfinite(x.sum()) ? std::sqrt((x.array().square() / mass.array()).sum())
-                                  : std::numeric_limits<double>::infinity();
-  };
-  // Puts the end of the step for rates y into `state`; the imbalance of momentum.
+  NewmarkStep step(body_, lambda_, c_, h_, state);
   const auto imbalance = [&](const VectorXd& y) {
-    BodyState& b = state.body;
-    VectorXd momentum(n);
-    b.q = start.q + h_ / 2 * (start.p + y.tail(r));
-    b.p = momentum.tail(r) = y.tail(r);
-    if (body_.free) {
-      b.c = start.c + h_ / 2 * (start.v + y.head<3>());
-      b.v = y.head<3>();
-      b.Q = turned(start.Q, h_ / 2 * (y0.segment<3>(3) + y.segment<3>(3)));
-      b.L = b.Q * (body_.inertia * (b.Q.conjugate() * y.segment<3>(3)));
-      momentum.head<6>() << body_.mass * b.v, b.L;
-    }
+    step.place(y);
     look(state);
-    forces();
-    return VectorXd(momentum - momentum0 - h_ / 2 * (f0 + f));
+    return step.imbalance();
   };
-  VectorXd y = y0, residual = imbalance(y);
-  for (int i = 0; size(residual) > tolerance * (size(momentum0) + h_ * size(f0) + h_ * size(f)); ++i) {
-    if (i == max_iterations || !std::isfinite(size(residual)) || !state.load.converged) return false;
-    MatrixXd jacobian = h_ * h_ / 4 * loads_.stiffness(state.body.s, 2 / h_);
-    jacobian.diagonal().tail(r).array() += 1 + h_ / 2 * c_.array() + h_ * h_ / 4 * lambda_.array();
-    if (body_.free) {
-      const Eigen::Matrix3d Q = state.body.Q.toRotationMatrix();
-      jacobian.diagonal().head<3>().array() += body_.mass;
-      jacobian.block<3, 3>(3, 3) += Q * body_.inertia * Q.transpose();
-    }
-    const VectorXd step = jacobian.partialPivLu().solve(residual);
-    const double before = size(residual);
+  VectorXd y = step.y0(), residual = imbalance(y);
+  for (int i = 0; step.size(residual) > tolerance * step.in_play(); ++i) {
+    const double before = step.size(residual);
+    if (i == max_iterations || !std::isfinite(before) || !state.load.converged) return false;
+    const VectorXd change = step.newton_step(residual, loads_.stiffness(state.body.s, 2 / h_));
     double part = 1;
-    for (int halving = 0; halving < max_halvings; ++halving, part /= 2) {
-      residual = imbalance(y - part * step);
-      if (size(residual) < before) break;
+    for (residual = imbalance(y - change); !(step.size(residual) < before) && part > least_part;) {
+      part /= 2;
+      residual = imbalance(y - part * change);
     }
-    y -= part * step;
+    y -= part * change;
   }
-  // Momenta from the forces themselves: handed over to rounding, not to the tolerance.
-  if (body_.free) {
-    state.body.v = start.v + h_ / (2 * body_.mass) * (f0.head<3>() + f.head<3>());
-    state.body.L = start.L + h_ / 2 * (f0.segment<3>(3) + f.segment<3>(3));
-  }
-  state.impulse = impulse + h_ / 2 * (force_before + state.load.force);
-  state.dissipated = dissipated + h_ / 2 * (dissipation_before + state.load.dissipation);
-  return true;
+  step.hand_over();
+  return state.load.converged;
 }
 
 }  // namespace mb

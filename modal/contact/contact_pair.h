@@ -15,6 +15,8 @@ class ContactPair {
   virtual void look(const BodyState& state, const Vector3d& Omega) = 0;
   // Adds sum Psi_i^T Q^T f_i to f_s and what it loses by s, - d f_s / d s, to H.
   virtual void push(const VectorXd& s, VectorXd& f_s, MatrixXd& H) = 0;
+  // Whether no sample beyond those looked at can press with static shapes s; if not, look again.
+  virtual bool covers(const VectorXd& s) = 0;
   virtual void act(const VectorXd& s, ContactLoad& load) = 0;  // adds to all of it
   // Adds -df/dz - rate df/dz' to K, for z = (d, theta, q, s): what frame (of a free body: translation and rotation,
   // world), modes and static shapes feel of each other. rate [1/s].

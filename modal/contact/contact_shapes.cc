@@ -12,6 +12,7 @@ namespace {
 
 constexpr int n_discs = 4;           // of radius 2a, a, a/2, a/4
 constexpr double independent = 1e-8; /* [-] of the largest energy */
+constexpr double left_over = 1e-14;  // [-] of the whole response's energy: rounding, where the modes have all of it
 
 // One column a disc: the nodal forces of its pressure along the inward normal.
 MatrixXd disc_forces(const Body& body, const FullModel& full, const Meeting& meeting) {
@@ -30,6 +31,13 @@ MatrixXd disc_forces(const Body& body, const FullModel& full, const Meeting& mee
   return F;
 }
 
+// Of law hertz the one force there is, on the body and on what strikes it.
+MatrixXd point_force(const Scene& scene, const Body& body, const FullModel& full, const Meeting& meeting) {
+  const RigidSurface surface = surface_met(scene, body, meeting);
+  const Vector3d normal = surface.pose.orientation * Vector3d::UnitZ();
+  return full.contact_points(surface, 0).U.transpose() * normal;
+}
+
 }  // namespace
 
 MatrixXd contact_shapes(const Scene& scene, const BodyModel& model, const Modes& modes, double shift,
@@ -39,8 +47,11 @@ MatrixXd contact_shapes(const Scene& scene, const BodyModel& model, const Modes&
   MatrixXd F(system.u0.size(), 0);
   for (const Meeting& meeting : touchdown.meetings) {
     if (!std::isfinite(meeting.t)) continue;
-    F.conservativeResize(Eigen::NoChange, F.cols() + n_discs);
-    F.rightCols(n_discs) = disc_forces(body, *model.full, meeting);
+    const bool lumped = scene.contacts.at(meeting.contact).law == ContactLaw::hertz;
+    const MatrixXd forces =
+        lumped ? point_force(scene, body, *model.full, meeting) : disc_forces(body, *model.full, meeting);
+    F.conservativeResize(Eigen::NoChange, F.cols() + forces.cols());
+    F.rightCols(forces.cols()) = forces;
   }
   if (F.cols() == 0) return F;
   const MatrixXd G_F = inertia_relief(system, shifted_factor(system, shift), F);
@@ -48,8 +59,15 @@ MatrixXd contact_shapes(const Scene& scene, const BodyModel& model, const Modes&
   const auto Phi = modes.Phi.rightCols(n_elastic);
   const VectorXd flexibility = modes.omega.tail(n_elastic).array().square().inverse();
   MatrixXd Psi = G_F - Phi * (flexibility.asDiagonal() * (Phi.transpose() * F));
-  const VectorXd energy = (Psi.transpose() * (system.K * Psi)).diagonal();
-  for (Index k = 0; k < Psi.cols(); ++k) Psi.col(k) /= std::sqrt(energy[k]);
+  const auto energies = [&](const MatrixXd& shapes) {
+    return VectorXd((shapes.transpose() * (system.K * shapes)).diagonal());
+  };
+  const VectorXd energy = energies(Psi), whole = energies(G_F);
+  std::vector<Index> missing;  // from the modes
+  for (Index k = 0; k < Psi.cols(); ++k)
+    if (energy[k] > left_over * whole[k]) missing.push_back(k);
+  if (missing.empty()) return MatrixXd(F.rows(), 0);
+  Psi = MatrixXd(Psi(Eigen::all, missing)) * energy(missing).cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(Psi.transpose() * (system.K * Psi)));
   std::vector<Index> kept;
   for (Index k = 0; k < Psi.cols(); ++k)

@@ -15,8 +15,6 @@ class FlatPair final : public ContactPair {
         reach_(contact),
         Phi_(contact.samples.Phi.transpose()),
         Psi_(contact.samples.Psi.transpose()),
-        largest_q_(largest_displacements(contact.samples.Phi)),
-        largest_s_(largest_displacements(contact.samples.Psi)),
         rows_(Phi_.rows(), contact.samples.w.size()),
         static_rows_(Psi_.rows(), contact.samples.w.size()),
         known_(static_cast<size_t>(contact.samples.w.size()), 0),
@@ -26,8 +24,7 @@ class FlatPair final : public ContactPair {
   void look(const BodyState& state, const Vector3d& Omega) override {
     state_ = &state;
     turn_to(state.Q.conjugate() * normal_);
-    const double deformation = largest_q_.dot(state.q.cwiseAbs()) + 2 * largest_s_.dot(state.s.cwiseAbs());
-    n_ = reach_.n_reachable(state.c, state.Q, deformation);
+    n_ = reach_.n_reachable(state, [&] { return gaps(state); });
     const double height = normal_.dot(state.c - contact_.surface.pose.position), climb = normal_.dot(state.v);
     const bool rated = contact_.law.damping > 0;
     const Vector3d lever = state.Q.conjugate() * normal_.cross(Omega);  // n . (Omega x r) = (n x Omega) . r
@@ -54,15 +51,19 @@ class FlatPair final : public ContactPair {
     }
   }
 
+  bool covers(const VectorXd& s) override { return reach_.covers(s); }
+
   void act(const VectorXd& s, ContactLoad& load) override {
     const PenaltyLaw& law = contact_.law;
     double sum = 0;
+    Index n_pressing = 0;
     Vector3d moment = Vector3d::Zero();  // sum f_i r_i, body frame
     for (Index k = 0; k < n_; ++k) {
       const Index i = reach_[k];
       const double gap = gap_[k] + static_rows_.col(i).dot(s);
       load.least_gap = std::min(load.least_gap, gap);
       if (!(gap < 0)) continue;
+      ++n_pressing;
       const double damped = std::max(0.0, 1 - law.damping * rate_[k]);
       const double elastic = contact_.samples.w[i] * layer(law, gap).pressure, f = elastic * damped;
       load.stored += contact_.samples.w[i] * stored_energy(law, gap);
@@ -74,6 +75,7 @@ class FlatPair final : public ContactPair {
     load.force += sum * normal_;
     load.torque += state_->Q * moment.cross(normal_in_body_);
     load.n_visited += n_;
+    reach_.pressed(n_pressing);
   }
 
   void stiffen(const VectorXd& s, double rate, MatrixXd& K) override {
@@ -96,6 +98,16 @@ class FlatPair final : public ContactPair {
   }
 
  private:
+  VectorXd gaps(const BodyState& state) {
+    const double height = normal_.dot(state.c - contact_.surface.pose.position);
+    VectorXd all(contact_.samples.w.size());
+    for (Index i = 0; i < all.size(); ++i) {
+      require_row(i);
+      all[i] = height + normal_in_body_.dot(contact_.samples.X.col(i)) + rows_.col(i).dot(state.q) +
+               static_rows_.col(i).dot(state.s);
+    }
+    return all;
+  }
   Vector3d place(Index i, const VectorXd& s) const {  // x - c in the body's axes
     return contact_.samples.X.col(i) + Phi_.middleCols(3 * i, 3).transpose() * state_->q +
            Psi_.middleCols(3 * i, 3).transpose() * s;
@@ -116,8 +128,7 @@ class FlatPair final : public ContactPair {
   const SampledContact& contact_;
   Vector3d normal_, normal_in_body_ = Vector3d::Zero();
   Reach reach_;
-  MatrixXd Phi_, Psi_;  // r x 3 m, n_s x 3 m: what belongs to a sample stands together
-  VectorXd largest_q_, largest_s_;
+  MatrixXd Phi_, Psi_;           // r x 3 m, n_s x 3 m: what belongs to a sample stands together
   MatrixXd rows_, static_rows_;  // n_b^T Phi_i, n_b^T Psi_i as columns, known for this turn
   std::vector<long> known_;
   long turn_ = 0;

@@ -1,5 +1,6 @@
 #include "modal/contact/floating_answer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -39,6 +40,12 @@ SurfaceSamples samples(const Body& body, const FullModel& full, const Meeting& m
   return {std::move(rule.points), std::move(rule.weights), std::move(at), std::move(static_at)};
 }
 
+// Hertz's law, lumped in the points that the model has for it.
+SurfaceSamples lumped(const FullModel& full, const RigidSurface& surface, const MatrixXd& Phi, const MatrixXd& Psi) {
+  const ContactPoints points = full.contact_points(surface, 0);
+  return {points.X, points.w, points.U * Phi, points.U * Psi};
+}
+
 }  // namespace
 
 FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static_contact) {
@@ -46,7 +53,7 @@ FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static
   const Body& body = scene.bodies.front();
   const BodyModel& mesh = model.bodies.front();
   const Touchdown down = touchdown(scene, body);
-  const bool free = body.supports.empty();
+  const bool free = !is_held(body), in_flight = body.theory == Theory::solid;
   const Index n_first = free ? modes.n_rigid : 0, r = modes.size() - n_first;
   const MatrixXd Phi = modes.Phi.rightCols(r);
   const MatrixXd Psi =
@@ -63,7 +70,7 @@ FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static
                        {}},
                       {body.pose.position, body.twist.velocity, body.pose.orientation, Vector3d::Zero(),
                        VectorXd::Zero(r), VectorXd::Zero(r), VectorXd::Zero(Psi.cols())},
-                      polynomials(mesh, mesh.displacement * Phi),
+                      polynomials(mesh, mesh.displacement * Phi.leftCols(in_flight ? r : 0)),
                       {},
                       mesh.points.all(),
                       mesh.displacement * Phi,
@@ -77,12 +84,16 @@ FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static
     basis.body.modes.push_back(roots({lambda, c}));
   }
   if (!free) basis.body.weight = Phi.transpose() * mesh.full->system().F.rowwise().sum();
+  if (!free) basis.start.p = Phi.transpose() * (mesh.full->system().M * mesh.full->system().v0);
   const Eigen::Quaterniond& Q = body.pose.orientation;
   basis.start.L = Q * (inertia.inertia * (Q.conjugate() * body.twist.angular_velocity));
   for (const Meeting& meeting : down.meetings) {
     const ContactPair& pair = scene.contacts[meeting.contact];
-    basis.body.contacts.push_back({samples(body, *mesh.full, meeting, basis.geometry.basis, Psi),
-                                   obstacle_of(scene, pair).surface, law_of(pair, meeting.size)});
+    const RigidSurface surface = surface_met(scene, body, meeting);
+    basis.body.contacts.push_back({pair.law == ContactLaw::hertz
+                                       ? lumped(*mesh.full, surface, Phi, Psi)
+                                       : samples(body, *mesh.full, meeting, basis.geometry.basis, Psi),
+                                   surface, law_of(pair, meeting.size)});
   }
   return basis;
 }
@@ -92,13 +103,15 @@ namespace {
 class PreparedFloating final : public Prepared {
  public:
   PreparedFloating(std::shared_ptr<const FloatingBasis> basis, ContactScheme scheme, double step)
-      : basis_(std::move(basis)), plan_{basis_->body,
-                                        basis_->scene->bodies.front().shape,
-                                        basis_->geometry.basis,
-                                        basis_->bounds,
-                                        basis_->start,
-                                        scheme,
-                                        step} {}
+      : basis_(std::move(basis)),
+        plan_{basis_->body,
+              basis_->scene->bodies.front().shape,
+              basis_->geometry.basis,
+              basis_->bounds,
+              basis_->start,
+              scheme,
+              step,
+              basis_->scene->bodies.front().theory == Theory::solid} {}
 
   Trajectory simulate(const Sampling& sampling) const override {
     if (sampling.shutter != 0) throw std::invalid_argument("no exact means in contact");
@@ -127,7 +140,9 @@ class PreparedFloating final : public Prepared {
     return answer;
   }
 
-  int modes_used() const override { return static_cast<int>(plan_.body.n_modes()); }
+  int modes_used() const override {
+    return static_cast<int>(std::ranges::count_if(plan_.body.modes, [](const Roots& mode) { return mode.k > 0; }));
+  }
   Index n_unknowns() const override { return (plan_.body.free ? 6 : 0) + plan_.body.n_modes() + plan_.body.n_static(); }
 
  private:

@@ -14,7 +14,8 @@ struct FloatingBasis {
   std::shared_ptr<const Scene> scene;
   FloatingBody body;
   BodyState start;
-  Regression geometry;                          // of the elastic modes by polynomials: what the contact sees of them
+  Regression geometry;                          // of the elastic modes by polynomials: what the contact sees of them;
+                                                // of none for bodies of beam and plate theory
   ShapeBounds bounds;                           // of these polynomials
   Matrix3Xd points;                             // [m] evaluation points, body frame
   MatrixXd displacement, strain;                // of elastic modes at the points: 3 p x r, 6 p x r

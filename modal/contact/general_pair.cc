@@ -13,15 +13,12 @@ class GeneralPair final : public ContactPair {
         reach_(contact),
         Phi_(contact.samples.Phi.transpose()),
         Psi_(contact.samples.Psi.transpose()),
-        largest_q_(largest_displacements(contact.samples.Phi)),
-        largest_s_(largest_displacements(contact.samples.Psi)),
         x_(3, contact.samples.w.size()),
         v_(3, contact.samples.w.size()) {}
 
   void look(const BodyState& state, const Vector3d& Omega) override {
     state_ = &state;
-    const double deformation = largest_q_.dot(state.q.cwiseAbs()) + 2 * largest_s_.dot(state.s.cwiseAbs());
-    n_ = reach_.n_reachable(state.c, state.Q, deformation);
+    n_ = reach_.n_reachable(state, [&] { return gaps(state); });
     const Eigen::Matrix3d Q = state.Q.toRotationMatrix();
     for (Index k = 0; k < n_; ++k) {
       const Index i = reach_[k];
@@ -46,14 +43,18 @@ class GeneralPair final : public ContactPair {
     }
   }
 
+  bool covers(const VectorXd& s) override { return reach_.covers(s); }
+
   void act(const VectorXd& s, ContactLoad& load) override {
     const Eigen::Matrix3d Q = state_->Q.toRotationMatrix();
+    Index n_pressing = 0;
     for (Index k = 0; k < n_; ++k) {
       const Index i = reach_[k];
       const Vector3d x = x_.col(k) + Q * (Psi_.middleCols(3 * i, 3).transpose() * s), v = v_.col(k);
       const double value = gap_value(contact_.surface, x);
       load.least_gap = std::min(load.least_gap, value);
       if (!(value < 0)) continue;
+      ++n_pressing;
       const Gap at = gap(contact_.surface, x);
       const double w = contact_.samples.w[i];
       const Vector3d f = w * contact_traction(contact_.law, at, v).t;
@@ -64,6 +65,7 @@ class GeneralPair final : public ContactPair {
       load.dissipation -= f.dot(v) - w * layer(contact_.law, value).pressure * at.normal.dot(v);
     }
     load.n_visited += n_;
+    reach_.pressed(n_pressing);
   }
 
   void stiffen(const VectorXd& s, double rate, MatrixXd& K) override {
@@ -87,12 +89,21 @@ class GeneralPair final : public ContactPair {
   }
 
  private:
+  VectorXd gaps(const BodyState& state) const {
+    VectorXd all(contact_.samples.w.size());
+    for (Index i = 0; i < all.size(); ++i) {
+      const Vector3d u =
+          Phi_.middleCols(3 * i, 3).transpose() * state.q + Psi_.middleCols(3 * i, 3).transpose() * state.s;
+      all[i] = gap_value(contact_.surface, state.c + state.Q * (contact_.samples.X.col(i) + u));
+    }
+    return all;
+  }
+
   const FloatingBody& body_;
   const SampledContact& contact_;
   Reach reach_;
   MatrixXd Phi_, Psi_;  // r x 3 m, n_s x 3 m
-  VectorXd largest_q_, largest_s_;
-  Matrix3Xd x_, v_;  // of the samples in reach, in their order
+  Matrix3Xd x_, v_;     // of the samples in reach, in their order
   Index n_ = 0;
   const BodyState* state_ = nullptr;
 };

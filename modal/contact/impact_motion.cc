@@ -1,5 +1,6 @@
 #include "modal/contact/impact_motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,7 +12,9 @@ namespace mb {
 namespace {
 
 constexpr long max_steps = 20'000'000;
-constexpr int finite_every = 64;  // steps
+constexpr int finite_every = 64;                        // steps
+constexpr int least_patience = 2, most_patience = 1024; /* steps without touch before a body counts as flying */
+constexpr double worthwhile = 32;                       // steps that a search for the next touch is worth
 
 template <class T>
 T mean(const T& a, const T& b, double x) {
@@ -48,12 +51,15 @@ class Run {
     const double end = times_.size() > 0 ? times_[times_.size() - 1] : 0;
     ContactState now{plan_.start, {}, Vector3d::Zero(), 0};
     double t = 0;
+    if (!plan_.flies) touch_and_go(t, now, end);
     for (bool leaving = false; more() && motion_.status == Status::ok; leaving = true) {
       const BodyFlight flight(plan_.body, now.body, t);
       const auto touch = next_touch(plan_, flight, end, leaving);
-      fly(flight, touch ? *touch : end, now);
+      fly(flight, touch ? touch->t : end, now);
       if (!touch) break;
-      t = *touch;
+      const bool worth = touch->decided && touch->t - t > worthwhile * plan_.step;
+      patience_ = worth ? least_patience : std::min(2 * patience_, most_patience);
+      t = touch->t;
       now.body = flight.at(t);
       motion_.work.load_evaluations += 1;
       t = touch_and_go(t, now, end);
@@ -90,14 +96,14 @@ class Run {
     log_.add({t, state.load.least_gap, state.load.force, state.impulse});
   }
 
-  // Steps until the body lets go or the end is reached; the time it is then.
+  // Steps until the body lets go, if it flies then, or the end is reached; the time it is then.
   double touch_and_go(double start, ContactState& now, double end) {
     stepper_.look(now);
     log_.meet(start);
     note(start, now);
     ContactState before;
     double t = start;
-    bool opening = false;
+    int n_clear = 0, n_parting = 0;  // steps in succession
     for (long i = 0; t < end; ++i) {
       before = now;
       if (!stepper_.advance(now) || motion_.work.steps == max_steps) {
@@ -114,9 +120,10 @@ class Run {
       note(t, now);
       look_between(t_before, before, now);
       // Apart and parting, seen twice: samples begin to press only a little after the surfaces meet.
-      const bool parting = now.load.least_gap >= 0 && !(now.load.least_gap < before.load.least_gap);
-      if (parting && opening) return t;
-      opening = parting;
+      const bool clear = now.load.least_gap >= 0, parting = clear && !(now.load.least_gap < before.load.least_gap);
+      n_clear = clear ? n_clear + 1 : 0;
+      n_parting = parting ? n_parting + 1 : 0;
+      if (plan_.flies && n_parting >= least_patience && n_clear >= patience_) return t;
     }
     return t;
   }
@@ -139,6 +146,7 @@ class Run {
   ContactStepper stepper_;
   TouchLog log_;
   ImpactMotion motion_;
+  int patience_ = least_patience;  // doubled where flights turn out too short to be worth it: surfaces that chatter
 };
 
 }  // namespace

@@ -20,6 +20,8 @@ struct ImpactPlan {
   BodyState start;           // at t = 0
   ContactScheme scheme;
   double step;  // h [s] > 0
+  // false: what the body meets is among its modes, and no surface tells when: steps all the way from t = 0.
+  bool flies = true;
 };
 
 struct ImpactMotion {

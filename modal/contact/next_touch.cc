@@ -14,6 +14,7 @@ namespace {
 
 constexpr double tolerance = 1e-12;  // [-] of the extent
 constexpr double depth = 0.05;       // [-] of the extent: how far a body that lets go may still overlap
+constexpr long budget = 100'000;     // evaluations; steps are cheaper than what takes more
 
 Eigen::Matrix3d cross_matrix(const Vector3d& w) {
   Eigen::Matrix3d W;
@@ -108,23 +109,24 @@ std::vector<Window> windows(const ImpactPlan& plan, const BodyState& start, cons
 
 }  // namespace
 
-std::optional<double> next_touch(const ImpactPlan& plan, const BodyFlight& flight, double end, bool leaving) {
+std::optional<NextTouch> next_touch(const ImpactPlan& plan, const BodyFlight& flight, double end, bool leaving) {
   if (!(end > flight.start())) return std::nullopt;
   const double l = extent(plan.shape);
   const FloatingMotion motion(plan, flight);
-  std::optional<double> earliest;
+  std::optional<NextTouch> earliest;
   const BodyState start = flight.at(flight.start());
   for (const SampledContact& contact : plan.body.contacts)
-    for (const Window& w : windows(plan, start, contact.surface, flight.start(), earliest.value_or(end))) {
+    for (const Window& w : windows(plan, start, contact.surface, flight.start(), earliest ? earliest->t : end)) {
       const bool at_start = leaving && w.from == flight.start();
       const auto touch = first_touch(plan.shape, motion, contact.surface,
                                      {.t0 = w.from,
                                       .t1 = w.to,
                                       .tolerance = tolerance * l,
                                       .leaving = at_start,
-                                      .depth = (at_start ? depth : tolerance) * l});
+                                      .depth = (at_start ? depth : tolerance) * l,
+                                      .budget = budget});
       if (!touch) continue;
-      earliest = touch->t;
+      earliest = {touch->t, touch->kind != FirstTouch::undecided};
       break;
     }
   return earliest;

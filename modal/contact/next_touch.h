@@ -9,8 +9,13 @@
 
 namespace mb {
 
-// The earliest time [s] in [flight.start(), end]; nothing where there is none. leaving: it has just let go, and what
-// touches but parts does not count.
-std::optional<double> next_touch(const ImpactPlan& plan, const BodyFlight& flight, double end, bool leaving);
+struct NextTouch {
+  double t;      // [s]
+  bool decided;  // false: the body skims along the obstacle so closely that nothing could be proved from t on
+};
+
+// The earliest in [flight.start(), end]; nothing where there is none. leaving: it has just let go, and what touches but
+// parts does not count.
+std::optional<NextTouch> next_touch(const ImpactPlan& plan, const BodyFlight& flight, double end, bool leaving);
 
 }  // namespace mb

@@ -1,40 +1,66 @@
 #include "modal/contact/reach.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace mb {
 
 namespace {
 
-constexpr double far = 0.05;  // [-] of the body's size: what a list still serves after
+constexpr Index n_least = 64;  // samples in a list
+constexpr Index n_spare = 4;   // [-] list by samples that press
 
 }  // namespace
 
 Reach::Reach(const SampledContact& contact)
-    : contact_(contact), longest_(std::sqrt(contact.samples.X.colwise().squaredNorm().maxCoeff())) {}
-
-void Reach::renew(const Vector3d& c, const Eigen::Quaterniond& Q) {
-  c_ = c;
-  Q_ = Q;
-  const Index m = contact_.samples.X.cols();
-  std::vector<double> gap(static_cast<size_t>(m));
-  for (Index i = 0; i < m; ++i)
-    gap[static_cast<size_t>(i)] = gap_value(contact_.surface, c + Q * contact_.samples.X.col(i));
-  order_.resize(gap.size());
+    : n_samples_(contact.samples.X.cols()),
+      longest_(n_samples_ > 0 ? std::sqrt(contact.samples.X.colwise().squaredNorm().maxCoeff()) : 0),
+      largest_q_(largest_displacements(contact.samples.Phi)),
+      largest_s_(largest_displacements(contact.samples.Psi)),
+      order_(static_cast<size_t>(n_samples_)) {
   std::iota(order_.begin(), order_.end(), Index{0});
-  std::ranges::sort(order_, {}, [&](Index i) { return gap[static_cast<size_t>(i)]; });
-  gap_.clear();
-  for (const Index i : order_) gap_.push_back(gap[static_cast<size_t>(i)]);
 }
 
-Index Reach::n_reachable(const Vector3d& c, const Eigen::Quaterniond& Q, double deformation) {
-  const auto moved = [&] {
-    return (c - c_).norm() + longest_ * 2 * (Q.vec() * Q_.w() - Q_.vec() * Q.w() - Q.vec().cross(Q_.vec())).norm();
-  };
-  if (order_.empty() || !(moved() <= far * longest_)) renew(c, Q);
-  const auto end = std::ranges::upper_bound(gap_, moved() + deformation);
-  return end - gap_.begin();
+// |Q x - Q' x'| <= |Q - Q'| |x'| + |x - x'|, and |Q - Q'| <= 2 |sin(angle/2)| = 2 |vec(Q^-1 Q')|.
+double Reach::moved(const BodyState& state) const {
+  const Eigen::Quaterniond &Q = state.Q, &P = Q_;
+  const double way =
+      (state.c - c_).norm() + largest_q_.dot((state.q - q_).cwiseAbs()) + largest_s_.dot((state.s - s_).cwiseAbs());
+  if (Q.coeffs() == P.coeffs()) return way;
+  const double sine = (Q.vec() * P.w() - P.vec() * Q.w() - Q.vec().cross(P.vec())).norm();
+  return way + 2 * sine * (longest_ + largest_q_.dot(q_.cwiseAbs()) + largest_s_.dot(s_.cwiseAbs()));
+}
+
+bool Reach::spent(const BodyState& state) const {
+  return beyond_ < 0 || in_vain_ > n_samples_ || !(moved(state) + margin_ < beyond_);
+}
+
+void Reach::renew(const BodyState& state, const VectorXd& gaps) {
+  c_ = state.c, Q_ = state.Q, q_ = state.q, s_ = state.s;
+  in_vain_ = 0;
+  beyond_ = -1;
+  gap_.clear();
+  if (!std::isfinite(gaps.sum())) return;  // nothing presses in a state that is none
+  const auto by_gap = [&](Index i, Index j) { return gaps[i] < gaps[j]; };
+  const auto n = std::min(n_samples_, std::max(n_least, n_spare * (gaps.array() <= margin_).count()));
+  if (n < n_samples_) std::ranges::nth_element(order_, order_.begin() + n, by_gap);
+  std::sort(order_.begin(), order_.begin() + n, by_gap);
+  beyond_ = n < n_samples_ ? gaps[order_[static_cast<size_t>(n)]] : std::numeric_limits<double>::infinity();
+  for (Index k = 0; k < n; ++k) gap_.push_back(gaps[order_[static_cast<size_t>(k)]]);
+}
+
+Index Reach::count(const BodyState& state) {
+  n_ = std::ranges::upper_bound(gap_, moved(state) + margin_) - gap_.begin();
+  return n_;
+}
+
+bool Reach::covers(const VectorXd& s) {
+  const double way = largest_s_.dot((s - state_s_).cwiseAbs());
+  const bool covered = way <= margin_;
+  margin_ = 2 * way;
+  return covered;
 }
 
 VectorXd largest_displacements(const MatrixXd& shapes) {

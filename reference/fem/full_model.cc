@@ -11,6 +11,7 @@
 #include "reference/fem/discretisation.h"
 #include "reference/fem/evaluation.h"
 #include "reference/fem/supports.h"
+#include "reference/theory/theory_model.h"
 
 namespace mb {
 
@@ -134,6 +135,7 @@ bool touches(const Scene& scene, const Body& body) {
 
 std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body, const Resolution& resolution,
                                             const ModeSolver& modes) {
+  if (body.theory != Theory::solid) return theory_model(scene, body, resolution);
   return std::make_shared<DealiiModel>(scene, body, resolution, modes);
 }
 
