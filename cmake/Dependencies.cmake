@@ -31,6 +31,8 @@ endfunction()
 mb_find_library(cholmod cholmod.h LIBRARIES cholmod openblas SUFFIXES suitesparse)
 mb_find_library(umfpack umfpack.h LIBRARIES umfpack SUFFIXES suitesparse)
 mb_find_library(arpack arpack/arpack.hpp LIBRARIES arpack)
+# Headers alone: its package file would bring flags of its own, and GMP, which boxes do without.
+mb_find_library(cgal CGAL/AABB_tree.h)
 mb_find_library(sundials arkode/arkode_arkstep.h LIBRARIES sundials_arkode sundials_nvecserial)
 # The serial HDF5: deal.II brings the MPI one, whose headers the door of ours must never see.
 mb_find_library(hdf5 hdf5.h LIBRARIES hdf5_serial PATHS /usr/include/hdf5/serial)

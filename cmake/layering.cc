@@ -48,6 +48,7 @@ const std::vector<Door> doors = {
     {"SUNDIALS", "arkode|cvode|ida|kinsol|nvector/|sundials|sunmatrix/|sunlinsol/|sunnonlinsol/",
      "reference/sundials/"},
     {"ARPACK", "arpack|parpack", "modal/bases/arpack.cc"},
+    {"CGAL", "CGAL/", "modal/polygons/tree.cc"},
     {"CLI11", "CLI/|CLI11", "harness/command_line.cc"},
     {"HDF5", "hdf5|H5", "harness/store/hdf5.cc"},
     {"xxHash", "xxh", "harness/store/hash.cc"},

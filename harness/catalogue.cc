@@ -71,7 +71,11 @@ Vocabulary Catalogue::vocabulary() const {
     if (integrator.knob == Integrator::Knob::tolerance) names.adaptive_integrators.push_back(integrator.name);
   }
   for (const Metric& metric : metric_catalogue()) names.metrics.push_back(metric.name);
-  for (const Analysis& analysis : analysis_catalogue()) names.analyses.push_back(analysis.name);
+  for (const Analysis& analysis : analysis_catalogue()) {
+    names.analyses.push_back(analysis.name);
+    if (analysis.scenes == Analysis::Scenes::without_contact) names.analyses_of_loads.push_back(analysis.name);
+    if (analysis.scenes == Analysis::Scenes::with_contact) names.analyses_of_contact.push_back(analysis.name);
+  }
   return names;
 }
 

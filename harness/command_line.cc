@@ -85,7 +85,8 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
   command
       ->add_option("--set", options->overrides,
                    "KEY=VALUE[,VALUE...] for modal.methods, modal.modes, modal.integrators, modal.time_steps, "
-                   "modal.relative_tolerances, rival.integrators, rival.degrees, rival.cells, rival.time_steps, "
+                   "modal.relative_tolerances, modal.contact_steps, rival.integrators, rival.degrees, rival.cells, "
+                   "rival.time_steps, "
                    "rival.relative_tolerances, study.analyses; may be given again")
       ->take_all()
       ->allow_extra_args(false);

@@ -107,15 +107,21 @@ class PreparedImpact final : public Prepared {
     return all;
   }
 
+  // The stepper's own; else of u and v at the times asked for.
   VectorXd energy(const States& states, const ContactHistory& contact, Index n_before) const {
     VectorXd E = VectorXd::Constant(contact.stored.size(), kinetic_energy(system_, full_system_velocity()));
     const VectorXd weight =
         free_ ? VectorXd(system_.M * full_->translation(gravity_)) : VectorXd(system_.F.rowwise().sum());
     const double mass =
         free_ ? full_->translation(Vector3d::UnitX()).dot(system_.M * full_->translation(Vector3d::UnitX())) : 0;
+    const double fallen = -mass * gravity_.dot(flown(start_));
+    if (states.energy.size() > 0) {
+      E.tail(states.energy.size()) = states.energy.array() + fallen;
+      return E;
+    }
     for (Index k = 0; k < states.u.cols(); ++k)
       E[n_before + k] = kinetic_energy(system_, states.v.col(k)) + strain_energy(system_, states.u.col(k)) -
-                        weight.dot(states.u.col(k)) - mass * gravity_.dot(flown(start_)) + contact.stored[n_before + k];
+                        weight.dot(states.u.col(k)) + fallen + contact.stored[n_before + k];
     return E;
   }
   // Before the first touch the energy is that at t = 0.

@@ -21,7 +21,8 @@ std::string range(std::vector<double> values) {
   std::erase_if(values, [](double v) { return std::isnan(v); });
   if (values.empty()) return "n/a";
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const std::string a = format_number(*low), b = format_number(*high);
+  const auto text = [](double v) { return v > 0 && std::isinf(v) ? "unbounded" : format_number(v); };
+  const std::string a = text(*low), b = text(*high);
   return a == b ? a : a + " to " + b;
 }
 

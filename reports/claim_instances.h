@@ -29,5 +29,7 @@ void conclude(Claim& claim, const std::vector<Instance>& instances);  // ruling,
 void rule_on_speed_up(Claim& claim, const Evaluation& evaluation);     // C1
 void rule_on_polynomials(Claim& claim, const Evaluation& evaluation);  // C4
 void rule_on_steps(Claim& claim, const Evaluation& evaluation);        // C6
+void rule_on_collision(Claim& claim, const Evaluation& evaluation);    // C11
+void rule_on_contact(Claim& claim, const Evaluation& evaluation);      // C12
 
 }  // namespace mb

@@ -36,6 +36,8 @@ void rule_on(Claim& claim, const Evaluation& evaluation) {
   if (claim.id == "C1") rule_on_speed_up(claim, evaluation);
   if (claim.id == "C4") rule_on_polynomials(claim, evaluation);
   if (claim.id == "C6") rule_on_steps(claim, evaluation);
+  if (claim.id == "C11") rule_on_collision(claim, evaluation);
+  if (claim.id == "C12") rule_on_contact(claim, evaluation);
   if (claim.id == "C2") {
     claim.evidence = "aliasing";
     claim.criterion = "verdicts of the aliasing tables, a frame rate each; number: aliasing of modes cut at F/2";

@@ -59,6 +59,36 @@ TEST(Claims, OnlyFixedEnergyDecidesOnAmplitudes) {
   EXPECT_THAT(one.measured, HasSubstr("energy: 1.00; force: 2.00"));
 }
 
+TEST(Claims, CollisionCostIsJudgedAgainstBruteForceAndTrees) {
+  ReportInput input = synthetic::input();
+  const Claim both = claim(input, "C11");
+  EXPECT_EQ(both.ruling, Ruling::holds_within_limits);
+  EXPECT_THAT(both.measured, HasSubstr("analytic: 1.00; polygons, brute force; sphere: 2.00"));
+  EXPECT_THAT(both.limits, HasSubstr("does not hold in cylinder-compression (polygons, tree; sphere)"));
+  for (Finding& finding : input.findings) {
+    if (finding.name == "collision-cost-claim") finding.rows.pop_back();
+  }
+  EXPECT_EQ(claim(input, "C11").ruling, Ruling::holds);
+  std::erase_if(input.findings, [](const Finding& one) { return one.analysis == "collision-cost"; });
+  EXPECT_EQ(claim(input, "C11").ruling, Ruling::not_measured);
+  EXPECT_EQ(claim(input, "C11").measured, "");
+}
+
+TEST(Claims, UniformQuadratureDoesNotDecideOnContactRegions) {
+  ReportInput input = synthetic::input();
+  EXPECT_EQ(claim(input, "C12").ruling, Ruling::holds);
+  EXPECT_THAT(claim(input, "C12").measured, HasSubstr("quadrature, uniform, sphere: 0.900"));
+  EXPECT_THAT(claim(input, "C12").measured, HasSubstr("curvatures, sphere: unbounded"));
+  EXPECT_THAT(claim(input, "C12").limits, Not(HasSubstr("uniform")));
+  for (Finding& finding : input.findings) {
+    if (finding.name == "contact-forces-claim") finding.rows[1].back() = "does not hold: at 0 of 3";
+  }
+  EXPECT_EQ(claim(input, "C12").ruling, Ruling::holds_within_limits);
+  EXPECT_THAT(claim(input, "C12").limits, HasSubstr("quadrature, region"));
+  std::erase_if(input.findings, [](const Finding& one) { return one.analysis == "contact-forces"; });
+  EXPECT_EQ(claim(input, "C12").ruling, Ruling::not_measured);
+}
+
 TEST(Claims, SchemesOfNoIntegratorDoNotDecideOnSteps) {
   ReportInput input = synthetic::input();
   EXPECT_THAT(claim(input, "C6").limits, Not(HasSubstr("exact damping")));

@@ -11,6 +11,8 @@ std::vector<Figure> finding_figures(const Finding& finding) {
   if (finding.name == "budget") all = budget_figures(finding);
   if (finding.name == "damping") all = damping_figures(finding);
   if (finding.name == "mode-amplitudes") all = amplitude_figures(finding);
+  if (finding.name == "collision-cost") all = collision_figures(finding);
+  if (finding.name == "contact-forces") all = contact_figures(finding);
   std::erase_if(all, [](const Figure& one) { return one.specification["data"]["values"].empty(); });
   for (Figure& one : all) one.specification["title"] = finding.case_name + ", profile " + finding.profile;
   return all;

@@ -30,5 +30,7 @@ std::vector<Figure> frequency_response_figures(const Finding& finding);
 std::vector<Figure> budget_figures(const Finding& finding);
 std::vector<Figure> damping_figures(const Finding& finding);
 std::vector<Figure> amplitude_figures(const Finding& finding);
+std::vector<Figure> collision_figures(const Finding& finding);
+std::vector<Figure> contact_figures(const Finding& finding);
 
 }  // namespace mb

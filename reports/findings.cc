@@ -19,6 +19,8 @@ constexpr Section sections[] = {{"budget", "Error budget", true},
                                 {"frequency-response", "Frequency response", false},
                                 {"damping", "Damping", false},
                                 {"mode-amplitudes", "Mode amplitudes", false},
+                                {"collision-cost", "Collision cost", false},
+                                {"contact-forces", "Contact forces", false},
                                 {"frequencies", "Natural frequencies", false},
                                 {"probe-extremes", "Extremes at the probes", false}};
 

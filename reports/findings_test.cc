@@ -97,8 +97,9 @@ TEST(FindingFigures, AreDrawnOfTheColumnsTheyNeedAndElseNotAtAll) {
   for (const Finding& finding : synthetic::findings("shear")) {
     for (const Figure& figure : finding_figures(finding)) names.insert(figure.name);
   }
-  for (const char* name : {"step-limits", "aliasing-24", "aliasing-120", "frequency-response-squeeze", "budget-M",
-                           "budget-K", "damping", "mode-amplitudes"}) {
+  for (const char* name :
+       {"step-limits", "aliasing-24", "aliasing-120", "frequency-response-squeeze", "budget-M", "budget-K", "damping",
+        "mode-amplitudes", "collision-cost-sphere-n-m", "contact-forces-superquadric-depth-0-01"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
   for (Finding finding : synthetic::findings("shear")) {

@@ -148,9 +148,44 @@ inline std::vector<Finding> of_modes(const std::string& case_name) {
   return {damping, amplitudes, exponents};
 }
 
+// Made up so that the claim holds against brute force and not against a tree, and not for all shapes.
+inline std::vector<Finding> of_collision(const std::string& case_name) {
+  Finding cost =
+      finding(case_name, "collision-cost", "collision-cost",
+              {{"partner", ""}, {"sweep", ""}, {"contender", ""}, {"polygons n", ""}, {"points m", ""}, {"time", "s"}});
+  for (const double m : {100.0, 1000.0, 10000.0}) {
+    cost.rows.push_back({"sphere", "n = m", "polygons, brute force", m, m, 1e-8 * m * m});
+    cost.rows.push_back({"sphere", "n = m", "polygons, tree", m, m, 1e-7 * m * std::log2(m)});
+    cost.rows.push_back({"sphere", "n = m", "analytic, distance", nan, m, 1e-7 * m});
+  }
+  Finding claim = finding(case_name, "collision-cost", "collision-cost-claim",
+                          {{"claim", ""},
+                           {"against", ""},
+                           {"exponent analytic", "-"},
+                           {"exponent rival", "-"},
+                           {"crossover", ""},
+                           {"verdict", ""}});
+  claim.rows = {{"C11", "polygons, brute force; sphere", 1.0, 2.0, 100.0, "holds"},
+                {"C11", "polygons, tree; sphere", 1.0, 1.1, 100.0, "does not hold: the rival ~ m^1.10"}};
+  Finding errors = finding(case_name, "contact-forces", "contact-forces",
+                           {{"shape", ""}, {"depth", "-"}, {"contender", ""}, {"samples", ""}, {"force", "-"}});
+  for (const double n : {26.0, 386.0, 6146.0}) {
+    errors.rows.push_back({"superquadric", 0.01, "vertices, areas", n, 30 / n});
+    errors.rows.push_back({"superquadric", 0.01, "quadrature, region", n, 1 / n});
+  }
+  errors.rows.push_back({"superquadric", 0.01, "curvatures", nan, 0.02});
+  Finding gains = finding(case_name, "contact-forces", "contact-forces-claim",
+                          {{"claim", ""}, {"compared", ""}, {"gain", "-"}, {"least gain", "-"}, {"verdict", ""}});
+  gains.rows = {{"C12", "force by curvatures, sphere", unbounded, unbounded, "holds"},
+                {"C12", "force by quadrature, region, sphere", 30.0, 20.0, "holds"},
+                {"C12", "force by quadrature, uniform, sphere", 0.9, 0.8, "does not hold: at 0 of 3"}};
+  return {cost, claim, errors, gains};
+}
+
 inline std::vector<Finding> findings(const std::string& case_name) {
   std::vector<Finding> all = step_limits(case_name);
-  for (const auto& more : {aliasing(case_name), of_modes(case_name)}) all.insert(all.end(), more.begin(), more.end());
+  for (const auto& more : {aliasing(case_name), of_modes(case_name), of_collision(case_name)})
+    all.insert(all.end(), more.begin(), more.end());
   all.push_back(budget(case_name));
   all.push_back(response(case_name));
   return all;

@@ -6,12 +6,14 @@
 #include "cases/exact/sphere_pulse.h"
 #include "cases/exact/struck_beam.h"
 #include "cases/exact/struck_plate.h"
+#include "cases/exact/thrown_rod.h"
+#include "cases/exact/thrown_sphere.h"
 
 namespace mb {
 
 const std::vector<ExactSolution>& exact_solutions() {
-  static const std::vector<ExactSolution> solutions = {rod_step(), sphere_radial_pulse(), struck_beam(),
-                                                       struck_plate()};
+  static const std::vector<ExactSolution> solutions = {rod_step(),     sphere_radial_pulse(), struck_beam(),
+                                                       struck_plate(), thrown_sphere(),       thrown_rod()};
   return solutions;
 }
 

@@ -7,6 +7,9 @@
 //                         series cut where its remainder is below 1e-9 of the peak
 //   timoshenko-impact     Euler-Bernoulli beam, simply supported, struck by a ball: Volterra's equation
 //   zener-impact          large Kirchhoff plate, struck by a ball: Zener's equation, of the contact alone
+//   hertz-impact          sphere thrown on a rigid plane: Hertz's impact, corrected for the finite sphere and the
+//                         penalty layer, quasi-static, of the contact alone
+//   rod-on-wall           box or cylinder, nu = 0, thrown flat on a rigid plane: waves, the layer included
 //
 // Graff 1975, Wave Motion in Elastic Solids, sects. 2.3 and 5.3; Lamb 1882, Proc. London Math. Soc. 13.
 #pragma once

@@ -54,4 +54,26 @@ Misfit one_struck_undamped_body(const Scene& scene, Theory theory) {
   return misfit;
 }
 
+Misfit one_thrown_undamped_body(const Scene& scene) {
+  Misfit misfit;
+  misfit.require(scene.bodies.size() == 1, fmt::format("needs one body, there are {}", scene.bodies.size()));
+  for (const Body& body : scene.bodies) {
+    misfit.require(body.theory == Theory::solid, fmt::format("the body's theory is {}", to_string(body.theory)));
+    misfit.require(!body.material.orthotropy, "the material is not isotropic");
+    misfit.require(is_undamped(body), "the body is damped");
+    misfit.require(body.supports.empty(), "the body is not free");
+    misfit.require(body.twist.angular_velocity.isZero(0), "the body spins");
+  }
+  misfit.require(scene.contacts.size() == 1, fmt::format("needs one contact, there are {}", scene.contacts.size()));
+  for (const ContactPair& pair : scene.contacts) {
+    misfit.require(pair.law == ContactLaw::penalty, "the contact is not by the penalty law");
+    misfit.require(pair.damping == 0 && pair.friction == 0, "the contact is damped or has friction");
+    const auto met = std::ranges::find(scene.obstacles, pair.obstacle, &Obstacle::name);
+    misfit.require(met != scene.obstacles.end() && std::holds_alternative<HalfSpace>(met->surface.shape),
+                   "the obstacle is not a half-space");
+  }
+  misfit.require(scene.loads.empty(), "the body is loaded");
+  return misfit;
+}
+
 }  // namespace mb

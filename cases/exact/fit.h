@@ -28,4 +28,8 @@ Misfit one_loaded_undamped_body(const Scene& scene);
 // strikes it by Hertz's law without losses.
 Misfit one_struck_undamped_body(const Scene& scene, Theory theory);
 
+// What closed forms of thrown bodies ask for: one isotropic, undamped, free solid, which does not spin and meets one
+// half-space by the penalty law, without losses. Where this misfits, there may be no contact to look at.
+Misfit one_thrown_undamped_body(const Scene& scene);
+
 }  // namespace mb

@@ -143,6 +143,7 @@ std::string canonical(const Scene& scene) {
   }
   out += fmt::format("duration {}\nframe_rate {}\nsamples_per_second {}\n", number(scene.duration),
                      number(scene.frame_rate), number(scene.samples_per_second));
+  if (scene.samples_from > 0) out += fmt::format("samples_from {}\n", number(scene.samples_from));
   out += fmt::format("truth {} finer {} coarser {}\n", number(scene.truth.relative_tolerance),
                      to_string(scene.truth.finer), to_string(scene.truth.coarser));
   if (!scene.truth.exact.empty()) out += fmt::format("exact {}\n", scene.truth.exact);

@@ -12,14 +12,17 @@
 namespace mb::test {
 
 inline Vocabulary vocabulary() {
-  return {
-      {"eigenmodes", "static-correction", "linear", "quadratic", "full", "full-order"},
-      {"exact", "newmark", "central-difference", "explicit-euler", "symplectic-euler", "sundials"},
-      {"displacement-error", "strain-error", "surface-deviation", "pose-translation", "pose-rotation", "probe-error"},
-      {"linear", "quadratic", "full"},
-      {"sundials"},
-      {"budget", "step-limits", "aliasing", "frequency-response", "mode-amplitudes", "damping", "frequencies",
-       "probe-extremes"}};
+  return {{"eigenmodes", "static-correction", "linear", "quadratic", "full", "full-order"},
+          {"exact", "newmark", "central-difference", "explicit-euler", "symplectic-euler", "sundials"},
+          {"displacement-error", "strain-error", "surface-deviation", "pose-translation", "pose-rotation",
+           "probe-error", "contact-duration", "peak-force", "impulse", "restitution", "first-touch", "energy-gain",
+           "momentum-defect", "force-error"},
+          {"linear", "quadratic", "full"},
+          {"sundials"},
+          {"budget", "step-limits", "aliasing", "frequency-response", "mode-amplitudes", "damping", "frequencies",
+           "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "flight-cost"},
+          {"budget", "aliasing", "frequency-response", "probe-extremes", "damping"},
+          {"contact-stiffness", "flight-cost"}};
 }
 
 inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }

@@ -186,6 +186,7 @@ Scene read_parts(Section root, const Context& context, const std::string& name) 
   scene.duration = times.duration.at(name);
   scene.frame_rate = times.frame_rate;
   scene.samples_per_second = times.samples_per_second;
+  scene.samples_from = times.samples_from;
   scene.profile = name;
   const std::string problem = closed_form_problem(scene);
   if (!problem.empty()) root.findings().error(truth.exact_at, printable(problem, 300));

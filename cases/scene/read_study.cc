@@ -79,7 +79,16 @@ std::vector<std::string> read_analyses(Section& section, const Vocabulary& vocab
     section.findings().error(section.where_key("analyses"),
                              "analyses of bodies of beam and plate theory are understood, but cannot be made yet");
   }
-  return values_of(read_unlike(section, "analyses", {vocabulary.analyses, "analysis", "analyses"}));
+  const auto names = read_unlike(section, "analyses", {vocabulary.analyses, "analysis", "analyses"});
+  const std::optional<bool> contact = touch(bodies);
+  if (names && contact) {
+    const auto& wrong = *contact ? vocabulary.analyses_of_loads : vocabulary.analyses_of_contact;
+    for (const auto& name : *names)
+      if (std::ranges::count(wrong, name.value) > 0)
+        section.findings().error(name.where, fmt::format("analysis '{}' is of scenes {} contact", name.value,
+                                                         *contact ? "without" : "with"));
+  }
+  return values_of(names);
 }
 
 // What a profile replaces is read all the same, for its types and ranges, but not against the profile's meshes.

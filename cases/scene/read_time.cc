@@ -11,14 +11,14 @@ namespace mb {
 namespace {
 
 const Range duration_range{0, 1e5, "s", true};
-const Range rate_range{0, 1e9, "1/s", true};
+const Range rate_range{0, 1e9, "1/s", true}, from_range{0, 1e5, "s"};
 
 // Records where a rate asks for more samples than memory holds, or for none but the first.
-void check_samples(Section& section, const std::string& key, double rate, const Times& times) {
-  const double n = rate * times.longest();
+void check_samples(Section& section, const std::string& key, double rate, const Times& times, double from) {
+  const double n = rate * std::max(0.0, times.longest() - from);
   if (n > most_samples) {
     section.error(key, fmt::format("'{}' = {} makes {:.3g} samples in {} s: at most {:.0f}", key, rate, n,
-                                   times.longest(), most_samples));
+                                   times.longest() - from, most_samples));
   }
   if (rate * times.shortest() < 1) {
     section.error(key, fmt::format("'{}' = {} makes no sample after the first in {} s", key, rate, times.shortest()));
@@ -49,12 +49,19 @@ Times read_times(Section& root) {
   if (!section) return times;
   const auto frame_rate = section->number("frame_rate", rate_range);
   const auto samples = section->number("samples_per_second", rate_range);
+  const double from = section->number("samples_from", from_range, 0);
   section->finish();
   if (!duration) return times;
-  if (frame_rate) check_samples(*section, "frame_rate", *frame_rate, times);
-  if (samples) check_samples(*section, "samples_per_second", *samples, times);
+  if (frame_rate) check_samples(*section, "frame_rate", *frame_rate, times, 0);
+  if (samples) check_samples(*section, "samples_per_second", *samples, times, from);
   times.frame_rate = frame_rate.value_or(1);
   times.samples_per_second = samples.value_or(1);
+  times.samples_from = from;
+  if (times.samples_from > 0 && !root.has("contact"))
+    section->error("samples_from", "'samples_from' is of scenes with contact: without, the motion begins at once");
+  if (times.samples_from > 0 && (times.shortest() - times.samples_from) * times.samples_per_second < 1)
+    section->error("samples_from",
+                   fmt::format("'samples_from' = {} leaves no two samples before the end", times.samples_from));
   return times;
 }
 

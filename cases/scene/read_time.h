@@ -10,6 +10,7 @@ namespace mb {
 struct Times {
   std::map<std::string, double> duration;  // [s] of quick, standard, full; stand-ins of 1 s where they were wrong
   double frame_rate = 1, samples_per_second = 1;  // [1/s]
+  double samples_from = 0;                        // [s]
   double shortest() const;                        // [s]
   double longest() const;                         // [s]
 };

@@ -45,6 +45,9 @@ const Obstacle* striker_of(const Scene& scene, const Body& body) {
 
 VectorXd frame_times(const Scene& scene) { return times_at(scene.frame_rate, scene.duration); }
 
-VectorXd sample_times(const Scene& scene) { return times_at(scene.samples_per_second, scene.duration); }
+VectorXd sample_times(const Scene& scene) {
+  const VectorXd t = times_at(scene.samples_per_second, scene.duration);
+  return t.tail((t.array() >= scene.samples_from).count());
+}
 
 }  // namespace mb

@@ -179,6 +179,7 @@ struct Scene {
   double duration;            // [s] of the profile asked for
   double frame_rate;          // [1/s] frames: aliasing, motion and timed runs
   double samples_per_second;  // [1/s] error measures
+  double samples_from = 0;    // [s] error measures begin then: of contact alone, after the flight before
   TruthSettings truth;
   Study study;
   std::vector<Check> checks;
@@ -190,6 +191,6 @@ struct Scene {
 const Obstacle* striker_of(const Scene& scene, const Body& body);
 
 VectorXd frame_times(const Scene& scene);   // [s] 0, 1/rate, ... up to the duration
-VectorXd sample_times(const Scene& scene);  // [s] likewise at samples_per_second
+VectorXd sample_times(const Scene& scene);  // [s] likewise at samples_per_second, those from samples_from on
 
 }  // namespace mb

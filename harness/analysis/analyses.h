@@ -1,5 +1,6 @@
 // The analyses themselves, as analysis_catalogue() lists them. All look at the scene's first body, on the mesh of its
-// modal contenders. Names of their tables and of the columns, which reports look up:
+// modal contenders; collision-cost and contact-forces at its shape alone, held rigid. Names of their tables and of the
+// columns, which reports look up:
 //
 //   step-limits               system | modes r | scheme | integrator | omega max | zeta | formula | dt formula |
 //                             dt measured | measured / formula | omega deciding
@@ -26,6 +27,22 @@
 //   mode-amplitudes           mode | frequency | omega | fixed energy | fixed force | fixed impulse
 //   mode-amplitude-exponents  claim | held fixed | modes fitted | exponent | standard error | theory | claimed |
 //                             verdict
+//   collision-cost            partner | sweep | contender | polygons n | points m | time | spread | time a point |
+//                             tests | tests a point | building | memory | depth error
+//   collision-cost-exponents  partner | sweep | contender | sizes fitted | exponent of time |
+//                             standard error of time | exponent of tests | standard error of tests | theory
+//   collision-cost-crossover  partner | sweep | contender | rival | building counts | crossover | largest size |
+//                             time ratio
+//   collision-cost-claim      claim | against | exponent analytic | exponent rival | crossover | verdict
+//   contact-forces            shape | depth | contender | samples | error of exact | force | force worst | ... (area,
+//                             greatest depth, Hertz force, impulse, peak force, duration likewise)
+//   contact-forces-orders     shape | depth | contender | quantity | sizes fitted | exponent | standard error
+//   contact-forces-claim      claim | compared | gain | least gain | verdict
+//   contact-stiffness         contact | contender | modes r | factor | stiffness | k a/E* | first touch | duration |
+//                             peak force | impulse | change of duration | ... of peak force | ... of impulse
+//   flight-cost               varied | method | modes r | flight time | contact time | dt | steps |
+//                             contact evaluations | time | spread | time a step | real-time factor
+//   flight-cost-exponents     cost | grows with | runs fitted | exponent | standard error | expected
 #pragma once
 
 #include "harness/analysis/analysis.h"
@@ -40,5 +57,9 @@ std::vector<Finding> mode_amplitudes(const AnalysisContext& context);
 std::vector<Finding> achieved_damping(const AnalysisContext& context);
 std::vector<Finding> natural_frequencies(const AnalysisContext& context);
 std::vector<Finding> probe_extremes(const AnalysisContext& context);
+std::vector<Finding> collision_cost(const AnalysisContext& context);
+std::vector<Finding> contact_forces(const AnalysisContext& context);
+std::vector<Finding> contact_stiffness(const AnalysisContext& context);
+std::vector<Finding> flight_cost(const AnalysisContext& context);
 
 }  // namespace mb

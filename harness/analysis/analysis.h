@@ -24,10 +24,11 @@ struct Analysis {
   std::string name, doc;
   // Tables with analysis, name, title, note, columns, rows; who calls adds run, case, profile and provenance.
   std::vector<Finding> (*run)(const AnalysisContext& context);
+  enum class Scenes { any, without_contact, with_contact } scenes = Scenes::any;  // for which it is made
 };
 
 // The visible list: budget, step-limits, aliasing, frequency-response, mode-amplitudes, damping, frequencies,
-// probe-extremes.
+// probe-extremes, collision-cost, contact-forces.
 const std::vector<Analysis>& analysis_catalogue();
 const Analysis& analysis(const std::string& name);  // throws std::out_of_range naming it
 

@@ -6,20 +6,29 @@
 namespace mb {
 
 const std::vector<Analysis>& analysis_catalogue() {
+  constexpr auto loaded = Analysis::Scenes::without_contact, touching = Analysis::Scenes::with_contact;
   static const std::vector<Analysis> all{
-      {"budget", "which part of an answer's error is due to the step, to truncation and to the mesh", &error_budget},
+      {"budget", "which part of an answer's error is due to the step, to truncation and to the mesh", &error_budget,
+       loaded},
       {"step-limits", "largest stable steps of explicit schemes, by formula, by bisection and by runs", &step_limits},
-      {"aliasing", "what frames make of motion too fast for them, and what it takes to avoid it", &temporal_aliasing},
+      {"aliasing", "what frames make of motion too fast for them, and what it takes to avoid it", &temporal_aliasing,
+       loaded},
       {"frequency-response", "steady response at the first probe over frequency, full against reduced",
-       &frequency_responses},
+       &frequency_responses, loaded},
       {"mode-amplitudes", "how a mode's displacement falls with its frequency for fixed energy, force and impulse",
        &mode_amplitudes},
       {"damping",
        "damping ratios asked for and achieved, mode by mode, by the full and the reduced system and by the study's "
        "steps",
-       &achieved_damping},
+       &achieved_damping, loaded},
       {"frequencies", "natural frequencies against published ones, with observed order", &natural_frequencies},
-      {"probe-extremes", "largest and smallest probe values, when, and the static ones", &probe_extremes}};
+      {"probe-extremes", "largest and smallest probe values, when, and the static ones", &probe_extremes, loaded},
+      {"collision-cost", "cost of points against polygons, a tree of boxes over them and an analytic shape",
+       &collision_cost},
+      {"contact-forces", "errors of contact forces from vertices, quadratures and curvatures", &contact_forces},
+      {"contact-stiffness", "what halving and doubling the stiffness of the contact layer does", &contact_stiffness,
+       touching},
+      {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching}};
   return all;
 }
 

@@ -72,6 +72,14 @@ const std::map<std::string, Formula>& analyses() {
         "grid convergence index",
         ours}},
       {"probe-extremes", {"max_t s, min_t s by the parabola through three samples, beside the static s", ours}},
+      {"collision-cost",
+       {"cost ~ m^p of m points against n = m polygons (brute force, tree of boxes) or one analytic shape",
+        "Pentland and Williams 1989, Good Vibrations, sect. 4.1; harness/analysis/collision_contest.h"}},
+      {"contact-forces",
+       {"F = k_n int g dA by samples, or k_n pi delta^2 / sqrt(k_1 k_2) by principal curvatures, against the exact cap",
+        "Pentland and Williams 1989, Good Vibrations, sect. 4.2; harness/analysis/contact_contest.h"}},
+      {"contact-stiffness", {"T(k_n/2), T(k_n), T(2 k_n), likewise F and J of the first touch; k_n a/E* beside", ours}},
+      {"flight-cost", {"time ~ (flight time)^p and ~ (steps in contact)^p, least squares in logarithms", ours}},
   };
   return all;
 }

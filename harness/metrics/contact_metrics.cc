@@ -83,7 +83,8 @@ double energy_gain(const Trajectory& answer, const Trajectory&, const MetricCont
   return std::max(0.0, (kept.array() - kept[0]).maxCoeff()) / energy_brought(answer, context);
 }
 
-// Centroid's path against that of all forces on it: c(T) - c(0) - v T - g T^2/2 - int (T - t) F dt / m.
+// Centroid's path against that of all forces on it: [c - v t - g t^2/2] from the first time to the last - int J dt / m,
+// J the impulse since t = 0.
 double momentum_defect(const Trajectory& answer, const Trajectory&, const MetricContext& context) {
   if (!context.free) return nan;
   const Body& b = body(context);
@@ -91,10 +92,11 @@ double momentum_defect(const Trajectory& answer, const Trajectory&, const Metric
   const BodyTrajectory& moved = of(answer, context);
   const Index n = answer.t.size();
   if (moved.contact.impulse.cols() != n || n < 2) return nan;
-  const double T = answer.t[n - 1];
+  const double t0 = answer.t[0], T = answer.t[n - 1];
   const auto place = [&](Index k) { return rigid_frame(X, w, moved.displacement.col(k).head(3 * X.cols())).c; };
   const Vector3d pushed = moved.contact.impulse * trapezoid_weights(answer.t) / mass(b);  // int J dt / m
-  const Vector3d defect = place(n - 1) - place(0) - T * b.twist.velocity - T * T / 2 * context.scene.gravity - pushed;
+  const Vector3d thrown = (T - t0) * b.twist.velocity + (T * T - t0 * t0) / 2 * context.scene.gravity;
+  const Vector3d defect = place(n - 1) - place(0) - thrown - pushed;
   const double size = pushed.norm();
   return size > 0 ? defect.norm() / size : nan;
 }

@@ -69,7 +69,8 @@ const std::map<std::string, Origin>& origins() {
         "contacts; D: lost in contacts; S: stored there; v: at the first touch",
         "conservation of energy"}},
       {"momentum-defect",
-       {"|c(T) - c(0) - v T - g T^2/2 - int J dt / m| / |int J dt / m|, c: centroid, v: at the start, T: duration",
+       {"|[c - v t - g t^2/2] - int J dt / m| / |int J dt / m|, [ ]: last time less the first, c: centroid, v: at t = "
+        "0",
         "conservation of momentum"}},
   };
   return all;

@@ -1,6 +1,8 @@
 #include "harness/store/contact_content.h"
 
+#include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace mb {
 
@@ -15,6 +17,16 @@ MatrixXd sized(const Matrices& content, const std::string& key, Index rows, Inde
   if (found->second.values.rows() != rows || found->second.values.cols() != columns)
     throw std::runtime_error("'" + key + "' has a wrong size");
   return found->second.values;
+}
+
+// Touch i of times (start, end, peak) follows the one before it and ends after it starts; only the last one may last.
+// Forces are as they are: a run that blew up has some that are none.
+void require_touch(const MatrixXd& t, Index i) {
+  const bool last = i + 1 == t.cols();
+  if (!std::isfinite(t(0, i)) || !std::isfinite(t(2, i)) || !(t(1, i) >= t(0, i)) || (!last && !std::isfinite(t(1, i))))
+    throw std::runtime_error("touch " + std::to_string(i) + " has times that are none");
+  if (i > 0 && !(t(0, i) >= t(0, i - 1)))
+    throw std::runtime_error("touch " + std::to_string(i) + " begins before the one before it");
 }
 
 }  // namespace
@@ -59,8 +71,10 @@ void read_contact(const Matrices& content, const std::string& key, Index n_t, Bo
   const Index n = times->second.values.cols();
   const MatrixXd t = sized(content, key + "_touch_times", 3, n), peaks = sized(content, key + "_touch_peaks", 1, n),
                  impulses = sized(content, key + "_touch_impulses", 3, n);
-  for (Index i = 0; i < n; ++i)
+  for (Index i = 0; i < n; ++i) {
+    require_touch(t, i);
     body.contact.touches.push_back({t(0, i), t(1, i), peaks(0, i), t(2, i), impulses.col(i)});
+  }
 }
 
 }  // namespace mb

@@ -7,6 +7,19 @@
 
 namespace mb {
 
+namespace {
+
+// Frames, and the end where none falls on it: what happens in between counts, too.
+VectorXd frames_to_the_end(const Scene& scene) {
+  VectorXd t = frame_times(scene);
+  if (t[t.size() - 1] == scene.duration) return t;
+  t.conservativeResize(t.size() + 1);
+  t[t.size() - 1] = scene.duration;
+  return t;
+}
+
+}  // namespace
+
 const Model& Bench::model(const Resolution& resolution) {
   if (!model_ || !(resolution_ == resolution)) {
     basis_ = {};
@@ -52,7 +65,7 @@ std::vector<Record> Bench::times(const Grader& grader, const Record& base, const
     if (std::isfinite(time.busy)) records.back().provenance["busy"] = fmt::format("{:.3f}", time.busy);
   };
   const auto single = [](double t) { return Timing{t, std::numeric_limits<double>::quiet_NaN(), 1}; };
-  Sampling frames{.t = frame_times(*scene_), .strain = false};
+  Sampling frames{.t = frames_to_the_end(*scene_), .strain = false};
   Work work;
   const auto online = [&] { work = ready.prepared->simulate(frames).work; };
   const Timing first = once(online);

@@ -11,10 +11,18 @@ namespace mb {
 
 namespace {
 
-const std::vector<std::string> known_keys{
-    "modal.methods",     "modal.modes",   "modal.integrators", "modal.time_steps", "modal.relative_tolerances",
-    "rival.integrators", "rival.degrees", "rival.cells",       "rival.time_steps", "rival.relative_tolerances",
-    "study.analyses"};
+const std::vector<std::string> known_keys{"modal.methods",
+                                          "modal.modes",
+                                          "modal.integrators",
+                                          "modal.time_steps",
+                                          "modal.relative_tolerances",
+                                          "modal.contact_steps",
+                                          "rival.integrators",
+                                          "rival.degrees",
+                                          "rival.cells",
+                                          "rival.time_steps",
+                                          "rival.relative_tolerances",
+                                          "study.analyses"};
 
 bool is_text(const TomlValue& value, const std::string& text) {
   const auto* own = std::get_if<std::string>(&value.value);
@@ -86,6 +94,7 @@ class Change {
     for (TomlFields& stepping : all_.steppings) change_stepping(stepping);
     if (has_closed_form()) replace(all_.fields, "methods", "modal.methods");
     replace(all_.fields, "modes", "modal.modes");
+    replace(all_.fields, "contact_steps", "modal.contact_steps");
     for (const char* key : {"modal.time_steps", "modal.relative_tolerances"})
       if (const TomlValue* const found = asked_.find(key); found && !integrators)
         findings_.error(found->where, fmt::format("'{}' needs modal.integrators", key));
@@ -124,6 +133,8 @@ std::vector<BodyDraft> drafts(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     BodyDraft draft{body.name, body.shape, body.material, body.resolution, {}, {}};
     draft.damping.ratios = body.damping_ratios;
+    draft.theory = body.theory;
+    draft.touches = std::ranges::any_of(scene.contacts, [&](const auto& pair) { return pair.body == body.name; });
     all.push_back(std::move(draft));
   }
   return all;

@@ -1,6 +1,6 @@
 // Settings of a study from the command line: --set KEY=VALUE[,VALUE...]. A case keeps its scene; what runs changes.
 //
-//   modal.methods, modal.modes                        of all reduced contenders
+//   modal.methods, modal.modes, modal.contact_steps   of all reduced contenders; steps while they touch
 //   modal.integrators, modal.time_steps,              instead of the case's steppings: every method x mode count x
 //     modal.relative_tolerances                       integrator x step or tolerance; "exact" is the closed form
 //   rival.integrators, rival.degrees, rival.cells,    of all full-order contenders (cells as 1x4);

@@ -50,6 +50,60 @@ TEST(TouchLog, StartsWhereSurfacesMet) {
   EXPECT_EQ(log.touches()[0].peak_force, 2);
 }
 
+// A touch that is foretold counts from then on once: the next one starts at its own crossing.
+TEST(TouchLog, WhereSurfacesMetIsForOneTouchAlone) {
+  TouchLog log;
+  const auto at = [&](double t, double gap) { log.add({t, gap, {0, 0, gap < 0 ? 1.0 : 0.0}, {0, 0, t}}); };
+  at(0, 1);
+  log.meet(0.75);  // between two moments
+  at(1, -1), at(2, 1), at(9, 1), at(10, -1), at(12, 1);
+  ASSERT_EQ(log.touches().size(), 2u);
+  EXPECT_EQ(log.touches()[0].start, 0.75);
+  EXPECT_EQ(log.touches()[0].end, 1.5);
+  EXPECT_EQ(log.touches()[1].start, 9.5);
+  EXPECT_EQ(log.touches()[1].end, 11);
+  // Told again before anything presses, the last word counts.
+  TouchLog twice;
+  twice.meet(1), twice.meet(2);
+  twice.add({2, 0.1, Vector3d::Zero(), Vector3d::Zero()});
+  twice.add({3, -0.1, {0, 0, 1}, {0, 0, 1}});
+  EXPECT_EQ(twice.touches()[0].start, 2);
+}
+
+// Whether a separation is short is judged by the touch before it, all that was merged into it included.
+TEST(TouchLog, MergedTouchesGrowTogether) {
+  TouchLog log;
+  const auto at = [&](double t, double gap, double f) { log.add({t, gap, {0, 0, f}, {0, 0, t}}); };
+  at(0, -1, 1), at(10, -1, 1), at(10.5, 1, 0), at(11.5, -1, 1);  // apart from 10.25 to 11: 0.075 of 10.25
+  EXPECT_EQ(log.touches().size(), 1u);
+  EXPECT_EQ(log.touches()[0].end, std::numeric_limits<double>::infinity());
+  at(20, -1, 1), at(21, 1, 0), at(23, -1, 9),
+      at(25, -1, 0);  // from 20.5 to 22, which is 0.073 of all 20.5, but more of the last 9.5
+  at(30, -1, 1), at(31, 1, 0), at(36, -1, 4), at(37, 1, 0);  // from 30.5 to 33.5: 0.098 of 30.5
+  const auto one = log.touches();
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_DOUBLE_EQ(one[0].end, 36.5);
+  EXPECT_EQ(one[0].peak_force, 9);  // the largest of all
+  EXPECT_EQ(one[0].peak_time, 23);
+  EXPECT_EQ(one[0].impulse.z(), 37);
+  at(45, 1, 0), at(46, -1, 1), at(47, 1, 0);  // from 36.5 to 45.5: 0.25 of 36.5
+  const auto two = log.touches();
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_DOUBLE_EQ(two[1].start, 45.5);
+  EXPECT_EQ(two[1].impulse.z(), 2);  // of the steps that it is in
+}
+
+TEST(TouchLog, BeginsInTouch) {
+  TouchLog log;
+  log.add({0.5, -0.1, {0, 0, 2}, Vector3d::Zero()});
+  log.add({1, 0.1, Vector3d::Zero(), {0, 0, 1}});
+  ASSERT_EQ(log.touches().size(), 1u);
+  EXPECT_EQ(log.touches()[0].start, 0.5);
+  EXPECT_EQ(log.touches()[0].end, 0.75);
+  EXPECT_EQ(log.touches()[0].peak_force, 2);
+  EXPECT_EQ(log.touches()[0].peak_time, 0.5);
+}
+
 TEST(TouchLog, NeverTouchingIsNoTouch) {
   TouchLog log;
   for (int i = 0; i < 5; ++i) log.add({0.1 * i, 1e-9, Vector3d::Zero(), Vector3d::Zero()});

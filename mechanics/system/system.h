@@ -63,6 +63,7 @@ struct States {
   Status status = Status::ok;
   Index n_valid = 0;
   ContactHistory contact = {};  // of steppers in contact
+  VectorXd energy = {};         // [J] kinetic, strain and contact's, less the loads' work; 0: take it from u and v
 };
 
 // A time integrator prepared for one system (factors made). Runs repeat to the last digit, one thread at a time: they

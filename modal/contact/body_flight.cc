@@ -1,5 +1,7 @@
 #include "modal/contact/body_flight.h"
 
+#include <cmath>
+
 #include "mechanics/rigid/inertia.h"
 #include "modal/contact/contact_step.h"
 
@@ -7,7 +9,8 @@ namespace mb {
 
 BodyFlight::BodyFlight(const FloatingBody& body, const BodyState& start, double t0)
     : body_(body), start_(start), t0_(t0), axes_(1, 0, 0, 0) {
-  start_.s.setZero(body.n_static());  // no force, no static shape
+  start_.s.conservativeResize(body.n_static());
+  if (body.static_damping == 0) start_.s.setZero();  // no force, no static shape
   if (!body.free || start.L.isZero(0)) return;
   const PrincipalAxes principal = principal_axes(body.inertia);
   axes_ = principal.axes;
@@ -23,6 +26,7 @@ BodyState BodyFlight::at(double t) const {
     now.v += tau * body_.gravity;
     if (rotation_) now.Q = rotation_->at(tau).orientation * axes_.conjugate();
   }
+  if (body_.static_damping > 0) now.s *= std::exp(-tau / body_.static_damping);
   for (Index i = 0; i < body_.n_modes(); ++i) {
     const Response x = response(body_.modes[static_cast<size_t>(i)], tau);
     now.q[i] = x.C * start_.q[i] + x.S * start_.p[i] + x.P * body_.weight[i];

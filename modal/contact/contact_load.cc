@@ -23,14 +23,29 @@ ContactLoads::ContactLoads(const FloatingBody& body) : body_(body), r_(body.n_st
 ContactLoads::~ContactLoads() = default;
 ContactLoads::ContactLoads(ContactLoads&&) noexcept = default;
 
+void ContactLoads::begin_step(const VectorXd& s, double h) {
+  if (body_.static_damping == 0) return;
+  n_past_ = n_past_ > 0 && h == h_ ? 2 : 1;
+  long_before_ = before_;
+  before_ = s;
+  h_ = h;
+}
+
+VectorXd ContactLoads::past() const {
+  if (n_past_ == 0) return VectorXd::Zero(body_.n_static());
+  return n_past_ == 1 ? VectorXd(before_ / h_) : VectorXd((2 * before_ - 0.5 * long_before_) / h_);
+}
+
 // Newton's method; where a step does not lessen the imbalance, half of it.
 bool ContactLoads::balance(VectorXd& s) {
+  const double beta = body_.static_damping, slope = 1 + beta * by_s();
+  const VectorXd carried = beta * past();
   const auto imbalance = [&] {
     r_.setZero();
-    H_ = body_.static_stiffness;
+    H_ = slope * body_.static_stiffness;
     for (const auto& pair : pairs_) pair->push(s, r_, H_);
     const double size = r_.norm();
-    r_.noalias() -= body_.static_stiffness * s;
+    r_.noalias() -= body_.static_stiffness * (slope * s - carried);
     return std::pair(r_.norm(), size);
   };
   auto [off, size] = imbalance();
@@ -76,14 +91,18 @@ void ContactLoads::operator()(BodyState& state, const Vector3d& Omega, ContactLo
           true};
   load.modal.setZero(body_.n_modes());
   load.converged = settle(state, Omega);
-  if (body_.n_static() > 0) load.stored += 0.5 * state.s.dot(body_.static_stiffness * state.s);
+  if (body_.n_static() > 0) {
+    const VectorXd rate = by_s() * state.s - past();
+    load.stored += 0.5 * state.s.dot(body_.static_stiffness * state.s);
+    load.dissipation += body_.static_damping * rate.dot(body_.static_stiffness * rate);
+  }
   for (const auto& pair : pairs_) pair->act(state.s, load);
 }
 
 MatrixXd ContactLoads::stiffness(const VectorXd& s, double rate) {
   const Index n = (body_.free ? 6 : 0) + body_.n_modes(), n_s = body_.n_static();
   MatrixXd K = MatrixXd::Zero(n + n_s, n + n_s);
-  K.bottomRightCorner(n_s, n_s) = body_.static_stiffness;
+  K.bottomRightCorner(n_s, n_s) = (1 + body_.static_damping * by_s()) * body_.static_stiffness;
   for (const auto& pair : pairs_) pair->stiffen(s, rate, K);
   if (n_s == 0) return K;
   const MatrixXd follow = K.bottomRightCorner(n_s, n_s).partialPivLu().solve(K.bottomLeftCorner(n_s, n));

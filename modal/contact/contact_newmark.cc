@@ -36,7 +36,8 @@ class NewmarkStep {
     y0_.tail(r_) = start_.body.p;
     mass_.tail(r_).setOnes();
     momentum0_ = momentum();
-    f_ = f0_ = forces();
+    f0_ = forces();
+    pushed0_ = pushed();
   }
 
   const VectorXd& y0() const { return y0_; }
@@ -61,7 +62,10 @@ class NewmarkStep {
     return std::isfinite(x.sum()) ? std::sqrt((x.array().square() / mass_.array()).sum())
                                   : std::numeric_limits<double>::infinity();
   }
-  double in_play() const { return size(momentum0_) + h_ * size(f0_) + h_ * size(f_); }
+  bool balanced(const VectorXd& residual) const {
+    const double off = size(residual);
+    return std::isfinite(off) && off <= tolerance * (size(momentum0_) + h_ * (pushed0_ + pushed()));
+  }
 
   VectorXd newton_step(const VectorXd& residual, const MatrixXd& contact_stiffness) const {
     MatrixXd jacobian = h_ * h_ / 4 * contact_stiffness;
@@ -97,6 +101,16 @@ class NewmarkStep {
         state_.load.modal + body_.weight - c_.cwiseProduct(state_.body.p) - lambda_.cwiseProduct(state_.body.q);
     return all;
   }
+  // The size of the parts of the forces: at rest they balance, and nothing is left of them to measure by.
+  double pushed() const {
+    const BodyState& b = state_.body;
+    VectorXd all(n_frame_ + r_);
+    if (body_.free)
+      all.head<6>() << state_.load.force.cwiseAbs() + body_.mass * body_.gravity.cwiseAbs(), state_.load.torque;
+    all.tail(r_) = state_.load.modal.cwiseAbs() + body_.weight.cwiseAbs() + c_.cwiseProduct(b.p.cwiseAbs()) +
+                   lambda_.cwiseProduct(b.q.cwiseAbs());
+    return size(all);
+  }
 
   const FloatingBody& body_;
   const VectorXd &lambda_, &c_;
@@ -105,6 +119,7 @@ class NewmarkStep {
   const ContactState start_;
   Index n_frame_, r_;
   VectorXd y0_, mass_, momentum0_, f0_, f_;
+  double pushed0_;
 };
 
 }  // namespace
@@ -117,7 +132,7 @@ bool ContactStepper::advance_by_newmark(ContactState& state) {
     return step.imbalance();
   };
   VectorXd y = step.y0(), residual = imbalance(y);
-  for (int i = 0; step.size(residual) > tolerance * step.in_play(); ++i) {
+  for (int i = 0; !step.balanced(residual); ++i) {
     const double before = step.size(residual);
     if (i == max_iterations || !std::isfinite(before) || !state.load.converged) return false;
     const VectorXd change = step.newton_step(residual, loads_.stiffness(state.body.s, 2 / h_));

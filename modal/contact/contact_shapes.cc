@@ -10,7 +10,7 @@ namespace mb {
 
 namespace {
 
-constexpr int n_discs = 4;           // of radius 2a, a, a/2, a/4
+constexpr int n_discs = 9;           // of radius 2a, 2a/sqrt(2), a, ... a/8
 constexpr double independent = 1e-8; /* [-] of the largest energy */
 constexpr double left_over = 1e-14;  // [-] of the whole response's energy: rounding, where the modes have all of it
 
@@ -19,7 +19,7 @@ MatrixXd disc_forces(const Body& body, const FullModel& full, const Meeting& mee
   MatrixXd F(full.system().u0.size(), n_discs);
   double a = std::min(2 * meeting.size.radius, 0.5 * extent(body.shape));
   const Vector3d inward = -signed_distance(body.shape, meeting.X).gradient;
-  for (int k = 0; k < n_discs; ++k, a /= 2) {
+  for (int k = 0; k < n_discs; ++k, a /= std::sqrt(2.0)) {
     const GradedRule rule = graded_rule(body.shape, {meeting.X}, {a / 4, a / 4, 1, 3}, a);
     VectorXd p(3 * rule.weights.size());
     for (Index i = 0; i < rule.weights.size(); ++i) {

@@ -28,6 +28,11 @@ ContactStepper::ContactStepper(const FloatingBody& body, ContactScheme scheme, d
   inverse_inertia_ = body.free ? Eigen::Matrix3d(body.inertia.inverse()) : Eigen::Matrix3d::Zero();
 }
 
+void ContactStepper::touch(ContactState& state) {
+  loads_.touch();
+  look(state);
+}
+
 void ContactStepper::look(ContactState& state) {
   loads_(state.body, angular_velocity(body_, state.body), state.load);
   ++n_evaluations_;
@@ -88,6 +93,7 @@ bool ContactStepper::advance_by_euler(ContactState& state) {
 }
 
 bool ContactStepper::advance(ContactState& state) {
+  loads_.begin_step(state.body.s, h_);
   switch (scheme_) {
     case ContactScheme::exact:
       return advance_exactly(state);

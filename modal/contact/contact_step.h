@@ -30,13 +30,14 @@ struct ContactState {
 class ContactStepper {
  public:
   ContactStepper(const FloatingBody& body, ContactScheme scheme, double h);  // h [s] > 0; the body must outlive this
-  void look(ContactState& state);                                            // evaluates the load of its body
+  void touch(ContactState& state);  // begins: evaluates the load of its body, static shapes having no rate
   // false where Newton's method, of the step or of the static shapes, does not converge
   bool advance(ContactState& state);
   double step() const { return h_; }
   long n_evaluations() const { return n_evaluations_; }
 
  private:
+  void look(ContactState& state);
   void kick(ContactState& state, double tau) const;  // by the contact forces alone
   void drift(BodyState& body) const;                 // over h, without contact
   void turn(BodyState& body, double tau) const;

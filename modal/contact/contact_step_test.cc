@@ -54,7 +54,7 @@ double error(ContactScheme scheme, int n) {
   const double omega = std::sqrt(k / m), T = 0.8 * pi / omega, v = 2;
   ContactStepper stepper(body, scheme, T / n);
   ContactState state = touching(body, v);
-  stepper.look(state);
+  stepper.touch(state);
   for (int i = 0; i < n; ++i) EXPECT_TRUE(stepper.advance(state));
   return std::abs(state.body.v.z() + v * std::cos(omega * T)) / v;
 }
@@ -75,7 +75,7 @@ TEST(ContactStep, HandsOverMomentumExactly) {
     ContactStepper stepper(body, scheme, h);
     ContactState state = touching(body, 1.5);
     const Vector3d before = m * state.body.v;
-    stepper.look(state);
+    stepper.touch(state);
     const int n = 700;
     for (int i = 0; i < n; ++i) ASSERT_TRUE(stepper.advance(state));
     ASSERT_GT(state.impulse.norm(), 0.1);
@@ -92,7 +92,7 @@ TEST(ContactStep, EnergyErrorFallsWithTheSquareOfTheStep) {
     const double T = 1.2e-3;
     ContactStepper stepper(body, ContactScheme::exact, T / n);
     ContactState state = touching(body, 1.5);
-    stepper.look(state);
+    stepper.touch(state);
     const double start = mechanical_energy(body, state.body);
     double largest = 0;
     for (int i = 0; i < n; ++i) {
@@ -111,7 +111,7 @@ TEST(ContactStep, SchemesAgree) {
   const auto end = [&](ContactScheme scheme, double h) {
     ContactStepper stepper(body, scheme, h);
     ContactState state = touching(body, 1.5);
-    stepper.look(state);
+    stepper.touch(state);
     for (int i = 0, n = static_cast<int>(std::lround(1e-3 / h)); i < n; ++i) EXPECT_TRUE(stepper.advance(state));
     return state;
   };

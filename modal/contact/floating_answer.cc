@@ -83,6 +83,7 @@ FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static
     const double c = lambda > 0 ? body.damping.alpha + body.damping.beta * lambda : 0;
     basis.body.modes.push_back(roots({lambda, c}));
   }
+  basis.body.static_damping = body.damping.beta;
   if (!free) basis.body.weight = Phi.transpose() * mesh.full->system().F.rowwise().sum();
   if (!free) basis.start.p = Phi.transpose() * (mesh.full->system().M * mesh.full->system().v0);
   const Eigen::Quaterniond& Q = body.pose.orientation;

@@ -1,7 +1,8 @@
 // One body in its floating frame (Buckens): the frame moves so that the deformation carries no momentum,
 //
 //   x(X, t) = c + Q (X + Phi(X) q + Psi(X) s),    m c'' = sum f + m g,   L' = sum (x - c) x f,   L = Q J Q^T Omega
-//   q_i'' + c_i q_i' + lambda_i q_i = sum Phi_i^T Q^T f,      K_s s = sum Psi^T Q^T f   (static shapes, massless)
+//   q_i'' + c_i q_i' + lambda_i q_i = sum Phi_i^T Q^T f
+//   K_s (s + beta s') = sum Psi^T Q^T f      static shapes, massless
 //
 // Elastic modes are M-orthogonal to rigid motion, so that to first order in q nothing couples but through contact:
 // centrifugal and gyroscopic terms are left out. A body that supports hold has no rigid part: c and Q stand still, and
@@ -37,8 +38,9 @@ struct FloatingBody {
   Vector3d gravity;           // [m/s^2] world
   std::vector<Roots> modes;   // r
   VectorXd weight;            // [N kg^-1/2] r: modal force of gravity, of a body that is held; 0 of a free one
-  MatrixXd static_stiffness;  // K_s [N/m] n_s x n_s, SPD
+  MatrixXd static_stiffness;  // K_s [J] n_s x n_s, SPD
   std::vector<SampledContact> contacts;
+  double static_damping = 0; /* beta [s] >= 0, of Rayleigh's damping */
 
   Index n_modes() const { return static_cast<Index>(modes.size()); }
   Index n_static() const { return static_stiffness.rows(); }
@@ -51,5 +53,10 @@ struct BodyState {
   VectorXd q, p;         // [m kg^1/2], [m kg^1/2 / s] r: modes and their rates
   VectorXd s;            // [-] n_s
 };
+
+inline bool is_finite(const BodyState& state) {
+  return state.c.allFinite() && state.v.allFinite() && state.Q.coeffs().allFinite() && state.L.allFinite() &&
+         state.q.allFinite() && state.p.allFinite() && state.s.allFinite();
+}
 
 }  // namespace mb

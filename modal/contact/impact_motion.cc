@@ -98,12 +98,13 @@ class Run {
 
   // Steps until the body lets go, if it flies then, or the end is reached; the time it is then.
   double touch_and_go(double start, ContactState& now, double end) {
-    stepper_.look(now);
+    stepper_.touch(now);
     log_.meet(start);
     note(start, now);
     ContactState before;
     double t = start;
-    int n_clear = 0, n_parting = 0;  // steps in succession
+    int n_clear = 0, n_parting = 0, patience = patience_;  // steps in succession
+    bool pressed = now.load.least_gap < 0;
     for (long i = 0; t < end; ++i) {
       before = now;
       if (!stepper_.advance(now) || motion_.work.steps == max_steps) {
@@ -111,7 +112,7 @@ class Run {
         return t;
       }
       ++motion_.work.steps;
-      if (i % finite_every == 0 && !std::isfinite(now.body.p.sum() + now.body.v.sum())) {
+      if (i % finite_every == 0 && !is_finite(now.body)) {
         motion_.status = Status::not_finite;
         return t;
       }
@@ -123,9 +124,19 @@ class Run {
       const bool clear = now.load.least_gap >= 0, parting = clear && !(now.load.least_gap < before.load.least_gap);
       n_clear = clear ? n_clear + 1 : 0;
       n_parting = parting ? n_parting + 1 : 0;
-      if (plan_.flies && n_parting >= least_patience && n_clear >= patience_) return t;
+      pressed = pressed || !clear;
+      if (!plan_.flies || n_parting < least_patience || n_clear < patience) continue;
+      if (!is_finite(now.body)) motion_.status = Status::not_finite;
+      if (motion_.status != Status::ok || pressed || !comes_in(now.body, t)) return t;
+      n_clear = 0;
+      patience = std::min(2 * patience, most_patience);
     }
     return t;
+  }
+
+  // Whether the surface of a body of which no sample has pressed as yet goes on into an obstacle: it is one touch.
+  bool comes_in(const BodyState& body, double t) const {
+    return next_touch(plan_, BodyFlight(plan_.body, body, t), t + plan_.step, true).has_value();
   }
 
   void look_between(double t_before, const ContactState& a, const ContactState& b) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "mechanics/contact/first_touch.h"
@@ -110,11 +111,13 @@ std::vector<Window> windows(const ImpactPlan& plan, const BodyState& start, cons
 }  // namespace
 
 std::optional<NextTouch> next_touch(const ImpactPlan& plan, const BodyFlight& flight, double end, bool leaving) {
+  const BodyState start = flight.at(flight.start());
+  if (!is_finite(start) || !plan.body.gravity.allFinite())
+    throw std::invalid_argument("next touch: the state or the gravity of the body in flight is not finite");
   if (!(end > flight.start())) return std::nullopt;
   const double l = extent(plan.shape);
   const FloatingMotion motion(plan, flight);
   std::optional<NextTouch> earliest;
-  const BodyState start = flight.at(flight.start());
   for (const SampledContact& contact : plan.body.contacts)
     for (const Window& w : windows(plan, start, contact.surface, flight.start(), earliest ? earliest->t : end)) {
       const bool at_start = leaving && w.from == flight.start();

@@ -15,7 +15,7 @@ struct NextTouch {
 };
 
 // The earliest in [flight.start(), end]; nothing where there is none. leaving: it has just let go, and what touches but
-// parts does not count.
+// parts does not count. Throws std::invalid_argument where state or gravity are not finite.
 std::optional<NextTouch> next_touch(const ImpactPlan& plan, const BodyFlight& flight, double end, bool leaving);
 
 }  // namespace mb

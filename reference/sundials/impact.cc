@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace mb {
 
@@ -26,43 +27,69 @@ ark::Scales scales_of(const std::vector<Contact>& contacts) {
   return largest;
 }
 
+// The end of a step. Between two of them u and v are ARKODE's own dense output; what is made of differences of large
+// things is not found from these, but from its values at both ends: the layer, a hundred times as stiff as the body,
+// would show every error of u in its force.
+struct StepEnd {
+  double t;
+  ContactSum sum;
+  Vector3d impulse;
+  double dissipated, energy;
+};
+
+// J by Hermite's cubic with J' = f at both ends, f by its derivative; energies are nearly kept, and linear.
+void record_between(const StepEnd& a, const StepEnd& b, double t, Index k, States& out) {
+  const double h = b.t - a.t, x = h > 0 ? (t - a.t) / h : 1;
+  const Vector3d change = b.impulse - a.impulse;
+  out.contact.impulse.col(k) =
+      a.impulse + x * x * (3 - 2 * x) * change + h * x * (1 - x) * ((1 - x) * a.sum.force - x * b.sum.force);
+  out.contact.force.col(k) = (1 - x) * (1 - 3 * x) * a.sum.force + x * (3 * x - 2) * b.sum.force;
+  if (h > 0) out.contact.force.col(k) += 6 * x * (1 - x) / h * change;
+  out.contact.stored[k] = (1 - x) * a.sum.stored + x * b.sum.stored;
+  out.contact.dissipated[k] = (1 - x) * a.dissipated + x * b.dissipated;
+  out.energy[k] = (1 - x) * a.energy + x * b.energy;
+}
+
 class SundialsInContact final : public Stepper {
  public:
   SundialsInContact(const System& system, const std::vector<Contact>& contacts, double tolerance, double duration)
       : system_(system),
         accuracy_{tolerance, scales_of(contacts), false, 0},
+        load_(VectorXd::Zero(system.u0.size())),
         parts_(system, accuracy_.scales.displacement / accuracy_.scales.velocity / 100, contacts) {
     const auto& [displacement, velocity] = accuracy_.scales;
     accuracy_.longest_step = std::min(duration / 4, longest_step * displacement / velocity);
     for (const History& s : system.s)
       if (!breakpoints(s, duration).empty()) throw std::invalid_argument("sundials: in contact loads must be steady");
+    if (system.F.cols() > 0) load_ = system.F * LoadFactors(system)(0);
   }
 
   States run(const VectorXd& times) const override {
     const Index n = system_.u0.size(), n_t = times.size();
-    States out{MatrixXd(n, n_t), MatrixXd(n, n_t), {}, Status::ok, 0, {}};
+    States out{MatrixXd(n, n_t), MatrixXd(n, n_t), {}, Status::ok, 0, {}, VectorXd(n_t)};
     out.contact = {Matrix3Xd(3, n_t), Matrix3Xd(3, n_t), VectorXd(n_t), VectorXd(n_t), {}};
     ark::Run run(system_, parts_, accuracy_);
     TouchLog log;
     log.meet(0);
-    double t = 0;
-    const auto note = [&] {
-      const ContactSum sum = run.contact();
-      log.add({t, sum.least_gap, sum.force, run.quadratures().head<3>()});
-      return sum;
-    };
-    write(run, note(), out, times);
+    StepEnd last = end(run, 0), now = last;
+    note(last, log);
     while (out.n_valid < n_t) {
+      while (out.n_valid < n_t && times[out.n_valid] <= now.t) {
+        if (now.t > last.t) run.look_at(times[out.n_valid]);
+        const Index k = out.n_valid++;
+        out.u.col(k) = run.displacement();
+        out.v.col(k) = run.velocity();
+        record_between(last, now, times[k], k, out);
+      }
+      if (out.n_valid == n_t) break;
+      double t = now.t;
       const int flag = run.step(times[n_t - 1], t);
       if (flag < 0 || !run.displacement().allFinite()) {
         out.status = flag < 0 ? ark::status_of(flag) : Status::not_finite;
         break;
       }
-      note();
-      while (out.n_valid < n_t && times[out.n_valid] <= t) {
-        run.look_at(times[out.n_valid]);
-        record(run, run.contact(), out);
-      }
+      last = std::exchange(now, end(run, t));
+      note(now, log);
     }
     out.contact.touches = log.touches();
     out.work = run.work();
@@ -71,22 +98,19 @@ class SundialsInContact final : public Stepper {
   }
 
  private:
-  // Times at the start.
-  static void write(ark::Run& run, const ContactSum& sum, States& out, const VectorXd& times) {
-    while (out.n_valid < times.size() && times[out.n_valid] <= 0) record(run, sum, out);
+  StepEnd end(ark::Run& run, double t) const {
+    const ContactSum sum = run.contact();
+    const VectorXd u = run.displacement();
+    const double mechanical = kinetic_energy(system_, run.velocity()) + strain_energy(system_, u) - load_.dot(u);
+    return {t, sum, run.quadratures().head<3>(), run.quadratures()[3], mechanical + sum.stored};
   }
-  static void record(ark::Run& run, const ContactSum& sum, States& out) {
-    const Index k = out.n_valid++;
-    out.u.col(k) = run.displacement();
-    out.v.col(k) = run.velocity();
-    out.contact.force.col(k) = sum.force;
-    out.contact.impulse.col(k) = run.quadratures().head<3>();
-    out.contact.stored[k] = sum.stored;
-    out.contact.dissipated[k] = run.quadratures()[3];
+  static void note(const StepEnd& now, TouchLog& log) {
+    log.add({now.t, now.sum.least_gap, now.sum.force, now.impulse});
   }
 
   const System& system_;
   ark::Accuracy accuracy_;
+  VectorXd load_;  // [N] steady
   mutable ark::Parts parts_;
 };
 

@@ -1,0 +1,207 @@
+#include "harness/analysis/contact_forces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "harness/analysis/analyses.h"
+#include "harness/analysis/collision_sweep.h"
+#include "harness/analysis/modal_body.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double rounding = 1e-12;  // errors below are none: heights are known to 1e-16 of the body's size
+
+Finding errors_table() {
+  std::vector<FindingColumn> columns{
+      {"shape", ""}, {"depth", "-"}, {"contender", ""}, {"samples", ""}, {"error of exact", "-"}};
+  for (const std::string& name : contact_error_names()) {
+    columns.push_back({name, "-"});
+    columns.push_back({name + " worst", "-"});
+  }
+  return table(
+      "contact-forces", "contact-forces", "Errors of contact forces of a rigid body on a layer",
+      "A rigid body pressed into the layer of a plane, p = k_n g per area of the body, to a depth given as share of "
+      "its "
+      "least half extent. Relative errors against the exact cap, mean and worst over orientations spread evenly: of "
+      "force, area and greatest depth; of the resultant of Hertz's pressure on the same region (spheres alone); of an "
+      "impact that exactly reaches this depth its peak force, its duration, and the impulse delivered until the exact "
+      "body rests (the whole impulse is right for every contender: the layer keeps energy). Vertices of a "
+      "triangulation with their areas, or all alike; quadrature on the exact surface with as many points, uniform or "
+      "in the region of contact alone; the closed form by principal curvatures has no samples. k_n and the mass drop "
+      "out. Error of exact: of the exact cap, worst over orientations.",
+      std::move(columns));
+}
+
+Finding orders_table() {
+  return table("contact-forces", "contact-forces-orders",
+               "How errors of contact forces fall with the number of samples",
+               "Exponent p of error ~ n^-p, errors averaged over orientations, by least squares in logarithms.",
+               {{"shape", ""},
+                {"depth", "-"},
+                {"contender", ""},
+                {"quantity", ""},
+                {"sizes fitted", ""},
+                {"exponent", "-"},
+                {"standard error", "-"}});
+}
+
+Finding claim_table() {
+  return table("contact-forces", "contact-forces-claim",
+               "Claim C12: are analytic contact regions more accurate than vertex contact?",
+               "Gain: mean error of vertices (with areas or alike, whichever is better) over that of the analytic "
+               "contender, at every depth and number of samples; its geometric mean, and the least. Unbounded where "
+               "the analytic contender errs by no more than rounding.",
+               {{"claim", ""}, {"compared", ""}, {"gain", "-"}, {"least gain", "-"}, {"verdict", ""}});
+}
+
+// Errors of one contender with so many samples (NaN: none), by rows as contact_error_names().
+struct Marks {
+  std::string contender;
+  double n_samples;
+  VectorXd mean, worst;
+  double error_of_exact;
+};
+
+template <class ErrorsOf>
+Marks marks(const std::string& contender, double n_samples, const std::vector<PressedBody>& bodies,
+            const ErrorsOf& errors_of) {
+  Marks all{contender, n_samples, VectorXd::Zero(n_contact_errors), VectorXd::Zero(n_contact_errors), 0};
+  for (const PressedBody& body : bodies) {
+    const VectorXd one = as_vector(errors_of(body));
+    all.error_of_exact = std::max(all.error_of_exact, body.cap.error);
+    all.mean += one / static_cast<double>(bodies.size());
+    for (Index i = 0; i < one.size(); ++i)
+      all.worst[i] = std::isnan(all.worst[i]) || one[i] <= all.worst[i] ? all.worst[i] : one[i];
+  }
+  return all;
+}
+
+// Every contender on one shape at one depth.
+std::vector<Marks> contest(const Shape& shape, double depth, const ContactSizes& sizes) {
+  std::vector<PressedBody> bodies;
+  const Matrix3Xd down = directions(sizes.n_orientations);
+  for (Index i = 0; i < down.cols(); ++i) bodies.push_back(pressed_body(shape, down.col(i), depth));
+  std::vector<Marks> all;
+  for (const int edges : sizes.edges) {
+    const int k = std::holds_alternative<Sphere>(shape) ? edges : edges / 2;
+    const auto add = [&](const char* name, const SurfaceSamples& samples) {
+      all.push_back(marks(name, static_cast<double>(samples.weights.size()), bodies,
+                          [&](const PressedBody& body) { return errors_of_samples(body, samples); }));
+    };
+    const SurfaceSamples by_area = vertices_by_areas(shape, k);
+    const Index n = by_area.weights.size();
+    add(by_areas, by_area);
+    add(by_equal, vertices_by_equal(shape, k));
+    add(by_uniform, uniform_quadrature(shape, k));
+    all.push_back(marks(by_region, static_cast<double>(n), bodies,
+                        [&](const PressedBody& body) { return errors_of_samples(body, region_quadrature(body, n)); }));
+  }
+  all.push_back(marks(by_curvatures, std::numeric_limits<double>::quiet_NaN(), bodies, errors_of_curvatures));
+  return all;
+}
+
+std::vector<FindingCell> error_row(const std::string& shape, double depth, const Marks& one) {
+  std::vector<FindingCell> row{shape, depth, one.contender, one.n_samples, one.error_of_exact};
+  for (Index i = 0; i < one.mean.size(); ++i) {
+    row.emplace_back(one.mean[i]);
+    row.emplace_back(one.worst[i]);
+  }
+  return row;
+}
+
+// What forces are judged by: places in contact_error_names().
+struct Judged {
+  Index place;
+  const char* name;
+};
+constexpr Judged judged[] = {{0, "force"}, {3, "Hertz force"}, {4, "impulse"}};
+
+void add_orders(Finding& orders, const std::string& shape, double depth, const std::vector<Marks>& all) {
+  for (const char* contender : {by_areas, by_equal, by_uniform, by_region})
+    for (const auto& [place, name] : judged) {
+      std::vector<double> n, error;
+      for (const Marks& one : all)
+        if (one.contender == contender) {
+          n.push_back(one.n_samples);
+          error.push_back(one.mean[place]);
+        }
+      const auto size = static_cast<Index>(n.size());
+      const PowerLaw law =
+          power_law(Eigen::Map<const VectorXd>(n.data(), size), Eigen::Map<const VectorXd>(error.data(), size));
+      if (law.n_points == 0) continue;  // Hertz knows spheres alone
+      orders.rows.push_back({shape, depth, contender, name, count(law.n_points), -law.exponent, law.standard_error});
+    }
+}
+
+// Of one depth, a gain for every number of samples; vertices may be weighted as suits them best.
+void add_gains(std::vector<double>& gains, const std::vector<Marks>& all, const std::string& contender, Index place) {
+  const auto mean = [&](const std::string& name, double n) {
+    for (const Marks& one : all)
+      if (one.contender == name && (std::isnan(one.n_samples) || one.n_samples >= n - 2)) return one.mean[place];
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  for (const Marks& vertices : all) {
+    if (vertices.contender != by_areas) continue;
+    const double n = vertices.n_samples;  // quadratures have up to 2 fewer, and other sizes are far from it
+    const double rival = std::min(vertices.mean[place], mean(by_equal, n)), own = mean(contender, n);
+    if (std::isnan(own) || std::isnan(rival)) continue;
+    gains.push_back(own <= rounding ? std::numeric_limits<double>::infinity() : rival / own);
+  }
+}
+
+void add_claims(Finding& claim, const std::string& shape, const std::vector<std::vector<Marks>>& by_depth) {
+  for (const char* contender : {by_curvatures, by_region, by_uniform})
+    for (const auto& [place, name] : judged) {
+      std::vector<double> gains;
+      for (const std::vector<Marks>& all : by_depth) add_gains(gains, all, contender, place);
+      if (gains.empty()) continue;
+      double logarithm = 0;
+      for (const double gain : gains) logarithm += std::log(gain) / static_cast<double>(gains.size());
+      claim.rows.push_back({"C12", fmt::format("{} by {}, {}", name, contender, shape), std::exp(logarithm),
+                            *std::min_element(gains.begin(), gains.end()), contact_verdict(gains)});
+    }
+}
+
+}  // namespace
+
+ContactSizes usual_contact_sizes() { return {{0.01, 0.1}, {2, 4, 8, 16, 32}, 32}; }
+
+std::string contact_verdict(const std::vector<double>& gains) {
+  if (gains.empty()) return "not decided: nothing to compare";
+  const auto n = std::count_if(gains.begin(), gains.end(), [](double gain) { return gain > 1; });
+  const auto all = std::ssize(gains);
+  if (n == all) return "holds";
+  const std::string where = fmt::format("more accurate at {} of {} depths and numbers of samples", n, all);
+  return (n == 0 ? "does not hold: " : "holds within limits: ") + where;
+}
+
+std::vector<Finding> contact_forces(const Shape& body, const ContactSizes& sizes) {
+  Finding errors = errors_table(), orders = orders_table(), claim = claim_table();
+  std::vector<std::pair<std::string, Shape>> shapes;
+  if (std::holds_alternative<Superquadric>(body)) {
+    shapes = {{"superquadric", body}};
+  } else {
+    shapes = {{"sphere", sphere_of_size(body)}, {"superquadric", superquadric_of_size(body)}};
+  }
+  for (const auto& [name, shape] : shapes) {
+    std::vector<std::vector<Marks>> by_depth;
+    for (const double share : sizes.depths) {
+      by_depth.push_back(contest(shape, share * half_extents(shape).minCoeff(), sizes));
+      for (const Marks& one : by_depth.back()) errors.rows.push_back(error_row(name, share, one));
+      add_orders(orders, name, share, by_depth.back());
+    }
+    add_claims(claim, name, by_depth);
+  }
+  return {errors, orders, claim};
+}
+
+std::vector<Finding> contact_forces(const AnalysisContext& context) {
+  return contact_forces(context.scene->bodies.front().shape, usual_contact_sizes());
+}
+
+}  // namespace mb

@@ -1,0 +1,77 @@
+// What the stiffness of the contact layer, which the scene states or leaves to `auto`, does to the answer.
+#include <fmt/format.h>
+
+#include "cases/contract/touchdown.h"
+#include "harness/analysis/analyses.h"
+#include "harness/analysis/contact_variants.h"
+
+namespace mb {
+
+namespace {
+
+const double factors[] = {0.5, 1, 2};
+
+// Of the first touch of one answer.
+struct Impact {
+  double start, duration, peak, impulse;  // [s], [s], [N], [N s]; NaN where it has none
+};
+Impact impact_of(const Trajectory& answer) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  if (answer.status != Status::ok || answer.bodies.front().contact.touches.empty()) return {nan, nan, nan, nan};
+  const Touch& touch = answer.bodies.front().contact.touches.front();
+  const double duration = touch.end - touch.start;
+  return {touch.start, std::isfinite(duration) ? duration : nan, touch.peak_force, touch.impulse.norm()};
+}
+
+Finding stiffness_table() {
+  return table("contact-stiffness", "contact-stiffness", "What the stiffness of the layer does",
+               "The first touch with the layer's stiffness halved, as it is, and doubled; changes are against `as it "
+               "is` of the same contender. A layer of stiffness k adds F/(k pi a^2) to the approach of a contact of "
+               "radius a: where k a/E* is a hundred, halving it changes the approach by 0.3 %.",
+               {{"contact", ""},
+                {"contender", ""},
+                {"modes r", ""},
+                {"factor", "-"},
+                {"stiffness", "Pa/m"},
+                {"k a/E*", "-"},
+                {"first touch", "s"},
+                {"duration", "s"},
+                {"peak force", "N"},
+                {"impulse", "N s"},
+                {"change of duration", "-"},
+                {"change of peak force", "-"},
+                {"change of impulse", "-"}});
+}
+
+}  // namespace
+
+std::vector<Finding> contact_stiffness(const AnalysisContext& context) {
+  Finding found = stiffness_table();
+  const Scene& scene = *context.scene;
+  ContactVariants variants(context);
+  const Touchdown down = touchdown(scene, scene.bodies.front());
+  const auto add = [&](const Meeting& meeting, const std::string& contender, const ContactContender& answer) {
+    const Scene stated = variants.with_stiffness(meeting.contact, meeting.size.stiffness);
+    const Impact as_it_is = impact_of(variants.simulate(stated, answer));
+    for (const double factor : factors) {
+      const double k = factor * meeting.size.stiffness;
+      const Impact now =
+          factor == 1 ? as_it_is : impact_of(variants.simulate(variants.with_stiffness(meeting.contact, k), answer));
+      const auto change = [](double a, double b) { return FindingCell(a / b - 1); };
+      const bool lumped = scene.contacts[meeting.contact].law == ContactLaw::hertz;
+      found.rows.push_back({scene.contacts[meeting.contact].obstacle, contender,
+                            answer.modes < 0 ? not_applicable() : count(answer.modes), factor, k,
+                            lumped ? not_applicable() : number(k * meeting.size.radius / meeting.size.modulus),
+                            now.start, now.duration, now.peak, now.impulse, change(now.duration, as_it_is.duration),
+                            change(now.peak, as_it_is.peak), change(now.impulse, as_it_is.impulse)});
+    }
+  };
+  for (const Meeting& meeting : down.meetings) {
+    if (!std::isfinite(meeting.t)) continue;
+    for (const ContactContender& answer : variants.contenders())
+      add(meeting, answer.modes < 0 ? "full order, the truth's tolerance" : answer.method, answer);
+  }
+  return {found};
+}
+
+}  // namespace mb

@@ -1,0 +1,91 @@
+#include "harness/analysis/contact_variants.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "modal/contact/contact_step.h"
+
+namespace mb {
+
+namespace {
+
+// What is prepared keeps the model that it refers to.
+class Keeping final : public Prepared {
+ public:
+  Keeping(std::shared_ptr<const Model> model, std::unique_ptr<Prepared> prepared)
+      : model_(std::move(model)), prepared_(std::move(prepared)) {}
+  Trajectory simulate(const Sampling& sampling) const override { return prepared_->simulate(sampling); }
+  std::vector<Decision> decisions() const override { return prepared_->decisions(); }
+  int modes_used() const override { return prepared_->modes_used(); }
+  Index n_unknowns() const override { return prepared_->n_unknowns(); }
+  double load_error() const override { return prepared_->load_error(); }
+
+ private:
+  std::shared_ptr<const Model> model_;
+  std::unique_ptr<Prepared> prepared_;
+};
+
+double least_step(const Study& study) {
+  if (study.contact_steps.empty()) throw std::invalid_argument("the study has no contact_steps to take one from");
+  return std::ranges::min(study.contact_steps);
+}
+
+}  // namespace
+
+ContactVariants::ContactVariants(const AnalysisContext& context)
+    : context_(context), n_modes_(std::ranges::max(mode_counts(context))), body_(modal_body(context, n_modes_)) {
+  if (context.scene->contacts.empty()) throw std::invalid_argument("the scene has no contact to be varied");
+}
+
+std::vector<ContactContender> ContactVariants::contenders() const {
+  const double h = least_step(context_.scene->study);
+  return {{"eigenmodes", n_modes_, h}, {"static-correction", n_modes_, h}, {"full-order", -1}};
+}
+
+Scene ContactVariants::with_stiffness(std::size_t contact, double stiffness) const {
+  Scene scene = *context_.scene;
+  scene.contacts.at(contact).stiffness = stiffness;
+  return scene;
+}
+
+Scene ContactVariants::with_flight(double flight, double after) const {
+  Scene scene = *context_.scene;
+  Body& body = scene.bodies.front();
+  const Touchdown down = touchdown(scene, body);
+  if (is_held(body) || !body.twist.angular_velocity.isZero(0) || !std::isfinite(down.t))
+    throw std::invalid_argument("only of free bodies without spin that meet an obstacle");
+  const Vector3d v = body.twist.velocity + down.t * scene.gravity;
+  const Vector3d fallen = down.t * body.twist.velocity + down.t * down.t / 2 * scene.gravity;
+  body.pose.position += fallen - flight * v;
+  body.twist.velocity = v;
+  scene.gravity.setZero();
+  scene.duration = flight + after;
+  scene.samples_from = 0;
+  // The layer stays the scene's own where it is found from the weight, too.
+  for (const Meeting& meeting : down.meetings) scene.contacts[meeting.contact].stiffness = meeting.size.stiffness;
+  return scene;
+}
+
+std::unique_ptr<Prepared> ContactVariants::prepare(const Scene& scene, const ContactContender& contender) const {
+  auto changed = std::make_shared<Model>(body_.scene_model);
+  changed->scene = std::make_shared<const Scene>(scene);
+  Settings settings;
+  if (contender.modes < 0) {
+    settings.relative_tolerance = scene.truth.relative_tolerance;
+    auto prepared =
+        context_.catalogue.method("full-order").prepare(*changed, settings, context_.catalogue.integrator("sundials"));
+    return std::make_unique<Keeping>(changed, std::move(prepared));
+  }
+  settings.time_step = contender.time_step;
+  const bool corrected = contender.method == "static-correction";
+  const Modes modes = leading(body_.modes, contender.modes);
+  auto basis = std::make_shared<const FloatingBasis>(floating_basis(*changed, modes, corrected));
+  return std::make_unique<Keeping>(
+      changed, prepare_floating(std::move(basis), context_.catalogue.integrator("exact"), settings));
+}
+
+Trajectory ContactVariants::simulate(const Scene& scene, const ContactContender& contender) const {
+  return prepare(scene, contender)->simulate({.t = sample_times(scene), .strain = false, .reconstruct = false});
+}
+
+}  // namespace mb

@@ -1,0 +1,190 @@
+#include "harness/metrics/contact_metrics.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "cases/scene/one_body.h"
+
+namespace mb {
+namespace {
+
+using ::testing::StartsWith;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A block of 0.1 x 0.2 x 0.3 m and 1000 kg/m^3, 6 kg, that falls at 2 m/s under a weight of 10 m/s^2. Times: 0, 0.1,
+// ..., 0.4 s. Points: eight corners of a cube about the centre, one of the surface.
+struct Setting {
+  Scene scene = one_body(Box{{0.1, 0.2, 0.3}}, {1e6, 0.3, 1000, {}}, {1, {1, 1, 1}});
+  EvaluationPoints points;
+  MetricContext context(bool free = true) const { return {scene, 0, points, free}; }
+};
+constexpr double m = 6;
+
+Setting setting() {
+  Setting s;
+  s.scene.bodies[0].twist.velocity = {0, 0, -2};
+  s.scene.gravity = {0, 0, -10};
+  s.points.volume = {Matrix3Xd(3, 8), VectorXd::Constant(8, 0.006 / 8)};
+  for (int i = 0; i < 8; ++i)
+    s.points.volume.points.col(i) = 0.02 * Vector3d(i % 2 * 2 - 1, i / 2 % 2 * 2 - 1, i / 4 * 2 - 1);
+  s.points.surface = {Vector3d(0, 0, 0.15), VectorXd::Ones(1)};
+  s.points.probes = Matrix3Xd(3, 0);
+  return s;
+}
+
+// One touch from 0.1 to 0.3 s, of peak 90 N and impulse 18 N s upwards, and histories by hand.
+Trajectory answer(const Setting& s) {
+  Trajectory t{VectorXd::LinSpaced(5, 0, 0.4), {}, {}, Status::ok};
+  BodyTrajectory body;
+  body.displacement = MatrixXd::Zero(3 * s.points.size(), 5);
+  body.strain = MatrixXd(0, 0);
+  ContactHistory& c = body.contact;
+  c.force = Matrix3Xd::Zero(3, 5);
+  c.force.row(2) << 0, 0, 90, 0, 0;
+  c.impulse = Matrix3Xd::Zero(3, 5);
+  c.impulse.row(2) << 0, 0, 9, 18, 18;
+  c.stored = VectorXd{{0, 0, 4, 0, 0}};
+  c.dissipated = VectorXd{{0, 0, 1, 3, 3}};
+  c.touches = {{0.1, 0.3, 90, 0.2, {0, 0, 18}}};
+  body.energy = VectorXd{{100, 100, 99, 97, 97}};
+  t.bodies.push_back(body);
+  return t;
+}
+ContactHistory& contact(Trajectory& t) { return t.bodies[0].contact; }
+
+Mark marked(const std::string& name, const Trajectory& a, const Trajectory& b, const MetricContext& context) {
+  return mark(metric(name), a, b, context);
+}
+double value(const std::string& name, const Trajectory& a, const Trajectory& b, const MetricContext& context) {
+  const Mark of = marked(name, a, b, context);
+  EXPECT_EQ(of.status, "ok") << name;
+  return of.value;
+}
+
+TEST(ContactMetrics, AreInTheCatalogueForContactAlone) {
+  ASSERT_EQ(contact_metrics().size(), 8u);
+  for (const Metric& of : contact_metrics()) {
+    EXPECT_TRUE(of.contact_only);
+    EXPECT_TRUE(metric(of.name).contact_only);
+    EXPECT_EQ(of.of_answer_alone, of.name == "energy-gain" || of.name == "momentum-defect");
+  }
+}
+
+TEST(ContactMetrics, OfFirstTouchesByHand) {
+  const Setting s = setting();
+  const Trajectory truth = answer(s);
+  Trajectory a = truth;
+  contact(a).touches = {{0.12, 0.28, 99, 0.2, {0, 3, 14}}, {0.35, 0.36, 1e6, 0.35, {0, 0, 1e6}}};
+  EXPECT_NEAR(value("first-touch", a, truth, s.context()), 0.02, 1e-15);
+  EXPECT_NEAR(value("contact-duration", a, truth, s.context()), 0.04 / 0.2, 1e-14);
+  EXPECT_NEAR(value("peak-force", a, truth, s.context()), 0.1, 1e-15);
+  EXPECT_NEAR(value("impulse", a, truth, s.context()), 5.0 / 18, 1e-15);  // |(0, 3, -4)| / 18
+  // v at 0.12 s: -3.2; after: -3.2 + (0, 3, 14)/6 - 1.6 along j = (0, 3, 14)/sqrt(205).
+  const double e = -(3.0 * 0.5 + 14 * (-3.2 + 14.0 / 6 - 1.6)) / (14 * -3.2);
+  // Of the truth: v -3, after -3 + 3 - 2 = -2: e = -(-2)/-3.
+  EXPECT_NEAR(value("restitution", a, truth, s.context()), std::abs(e + 2.0 / 3), 1e-14);
+  EXPECT_NEAR(restitution(s.scene, s.scene.bodies[0], truth.bodies[0].contact.touches[0]), -2.0 / 3, 1e-15);
+  for (const char* name : {"first-touch", "contact-duration", "peak-force", "impulse", "restitution", "force-error"})
+    EXPECT_EQ(value(name, truth, truth, s.context()), 0) << name;
+}
+
+TEST(ContactMetrics, ForceErrorByHand) {
+  const Setting s = setting();
+  Trajectory a = answer(s), truth = answer(s);
+  contact(truth).force.row(2) << 2, 0, 90, 0, 0;
+  contact(a).force.row(2) << 0, 0, 90, 4, 0;
+  contact(a).force(0, 4) = 6;
+  // Trapezoidal: halves at the ends. (4/2 + 16 + 36/2) / (4/2 + 8100).
+  EXPECT_NEAR(value("force-error", a, truth, s.context()), std::sqrt(36.0 / 8102), 1e-14);
+}
+
+TEST(ContactMetrics, EnergyGainByHand) {
+  const Setting s = setting();
+  Trajectory a = answer(s);
+  EXPECT_EQ(value("energy-gain", a, a, s.context()), 0);  // 100, 100, 100, 100, 100 with the losses
+  a.bodies[0].energy[3] = 98.5;                           // 1.5 J more by 6 (2 + 10 0.1)^2 / 2 = 27 J
+  EXPECT_NEAR(value("energy-gain", a, a, s.context()), 1.5 / 27, 1e-14);
+  contact(a).stored[2] = 54;  // more is in play
+  EXPECT_NEAR(value("energy-gain", a, a, s.context()), 1.5 / 54, 1e-14);
+  contact(a).touches.clear();  // 6 2^2 / 2 = 12
+  contact(a).stored[2] = 4;
+  EXPECT_NEAR(value("energy-gain", a, a, s.context()), 1.5 / 12, 1e-14);
+  a.bodies[0].energy.setConstant(50);  // only the losses grow: that, too, is a gain
+  EXPECT_NEAR(value("energy-gain", a, a, s.context()), 3.0 / 12, 1e-14);
+  a.bodies[0].energy = VectorXd{{50, 40, 30, 20, 10}};
+  EXPECT_EQ(value("energy-gain", a, a, s.context()), 0);
+}
+
+TEST(ContactMetrics, MomentumDefectByHand) {
+  const Setting s = setting();
+  Trajectory a = answer(s);
+  // int J dt / m by trapezoids: 0.1 (9 + 18 + 18/2) / 6 = 0.6 m; without a defect the centre is at -0.8 - 0.8 + 0.6.
+  const auto put = [&](const Vector3d& c) {
+    for (Index p = 0; p < s.points.size(); ++p) a.bodies[0].displacement.col(4).segment<3>(3 * p) = c;
+  };
+  put({0, 0, -1});
+  EXPECT_NEAR(value("momentum-defect", a, a, s.context()), 0, 1e-14);
+  put({0.03, 0, -1.04});
+  EXPECT_NEAR(value("momentum-defect", a, a, s.context()), 0.05 / 0.6, 1e-13);
+  // Turned about its centre it is where it was.
+  put({0, 0, -1});
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 2).normalized()).toRotationMatrix();
+  const Matrix3Xd X = s.points.all();
+  a.bodies[0].displacement.col(4) += ((R - Eigen::Matrix3d::Identity()) * X).reshaped();
+  EXPECT_NEAR(value("momentum-defect", a, a, s.context()), 0, 1e-13);
+}
+
+TEST(ContactMetrics, AreUndefinedWhereNothingIsToBeMeasured) {
+  const Setting s = setting();
+  const Trajectory truth = answer(s);
+  Trajectory none = truth;
+  contact(none).touches.clear();
+  for (const char* name : {"first-touch", "contact-duration", "peak-force", "impulse", "restitution"}) {
+    EXPECT_THAT(marked(name, none, truth, s.context()).status, StartsWith("undefined")) << name;
+    EXPECT_THAT(marked(name, truth, none, s.context()).status, StartsWith("undefined")) << name;
+  }
+  for (const char* name : {"restitution", "momentum-defect"})
+    EXPECT_THAT(marked(name, truth, truth, s.context(false)).status, StartsWith("undefined")) << name;
+  Trajectory still = truth;
+  contact(still).force.setZero();
+  EXPECT_THAT(marked("force-error", truth, still, s.context()).status, StartsWith("undefined"));
+  contact(still).impulse.setZero();
+  EXPECT_THAT(marked("momentum-defect", still, truth, s.context()).status, StartsWith("undefined"));
+  Trajectory unrecorded = truth;
+  unrecorded.bodies[0].energy.resize(0);
+  EXPECT_THAT(marked("energy-gain", unrecorded, truth, s.context()).status, StartsWith("undefined"));
+  contact(unrecorded).force.resize(3, 0);
+  contact(unrecorded).impulse.resize(3, 0);
+  EXPECT_THAT(marked("force-error", unrecorded, truth, s.context()).status, StartsWith("undefined"));
+  EXPECT_THAT(marked("momentum-defect", unrecorded, truth, s.context()).status, StartsWith("undefined"));
+  // A touch that lasts has no end as yet: no duration to be marked.
+  Trajectory lasting = truth;
+  contact(lasting).touches[0].end = infinity;
+  for (const char* name : {"contact-duration", "restitution"}) {
+    EXPECT_NE(marked(name, lasting, truth, s.context()).status, "ok") << name;
+    EXPECT_NE(marked(name, truth, lasting, s.context()).status, "ok") << name;
+  }
+  EXPECT_EQ(value("peak-force", lasting, truth, s.context()), 0);
+}
+
+// A ball of 2 kg at 5 m/s on a body that is held: it feels the opposite of the body's impulse.
+TEST(ContactMetrics, OfWhatStrikesABody) {
+  Setting s = setting();
+  s.scene.bodies[0].twist = {};
+  s.scene.obstacles = {{"ball", {Sphere{0.01}, 0, {{0, 0, 0.16}, {1, 0, 0, 0}}}, Striker{2, 5, 1e9, 0.3}}};
+  s.scene.contacts = {{.body = s.scene.bodies[0].name, .obstacle = "ball", .stiffness = 0}};
+  Trajectory truth = answer(s), a = truth;
+  contact(truth).touches = {{0, 0.1, 90, 0.05, {0, 0, -18}}};
+  contact(a).touches = {{0, 0.1, 90, 0.05, {0, 0, -16}}};
+  EXPECT_NEAR(restitution(s.scene, s.scene.bodies[0], truth.bodies[0].contact.touches[0]), 0.8, 1e-15);
+  EXPECT_NEAR(value("restitution", a, truth, s.context(false)), 0.2, 1e-15);
+  a.bodies[0].energy[4] = 97 + 5;  // by 2 5^2 / 2 = 25 J
+  EXPECT_NEAR(value("energy-gain", a, a, s.context(false)), 0.2, 1e-15);
+}
+
+}  // namespace
+}  // namespace mb

@@ -1,0 +1,162 @@
+#include "modal/contact/floating_answer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cases/scene/one_body.h"
+#include "mechanics/contact/contact_steppers.h"
+#include "modal/bases/eigenmodes.h"
+#include "reference/full_model.h"
+#include "reference/full_order.h"
+
+namespace mb {
+namespace {
+
+constexpr double R = 0.06, drop = 0.02, g = 9.81;
+
+// A soft ball on a mesh of seven cells.
+std::shared_ptr<const Scene> dropped(const Vector3d& v = Vector3d::Zero()) {
+  Scene scene = one_body(Sphere{R}, {1e6, 0.3, 1100, {}}, {2, {1}});
+  scene.bodies[0].pose.position = {0.3, -0.2, R + drop};
+  scene.bodies[0].twist.velocity = v;
+  scene.gravity = {0, 0, -g};
+  scene.obstacles.push_back({"floor", {HalfSpace{}, 0, {}}});
+  scene.contacts.push_back({.body = scene.bodies[0].name, .obstacle = "floor", .stiffness = 0});
+  scene.duration = 0.1;
+  return std::make_shared<const Scene>(scene);
+}
+Modes modes_of(const Model& model, int n) {
+  return lowest_modes(model.bodies[0].full->system(), n, physical_shift(model.scene->bodies[0]));
+}
+Modes all_modes(const Model& model) {
+  return modes_of(model, static_cast<int>(model.bodies[0].full->system().M.rows()) - 6);
+}
+
+Integrator named(const char* name) {
+  return {name,
+          "",
+          [](const System&, const Settings&, double) { return std::unique_ptr<Stepper>(); },
+          Integrator::Knob::time_step,
+          false,
+          [](const System& s, const std::vector<Contact>& c, const Settings& set, double) {
+            return newmark(s, c, set.time_step);
+          }};
+}
+Trajectory floating_answer(const Model& model, const Modes& modes, bool static_contact, double step,
+                           const VectorXd& times, const char* scheme = "exact") {
+  const auto basis = std::make_shared<const FloatingBasis>(floating_basis(model, modes, static_contact));
+  return prepare_floating(basis, named(scheme), {.time_step = step})->simulate({times});
+}
+Vector3d centre(const Model& model, const Trajectory& answer, Index k) {
+  const auto& [X, w] = model.bodies[0].points.volume;
+  return (X + answer.bodies[0].displacement.col(k).head(3 * X.cols()).reshaped(3, X.cols()).matrix()) * w / w.sum();
+}
+
+// The same motion in the floating frame with every mode of the mesh as in the inertial one without any. What is left
+// apart: samples on the exact sphere against points of the mesh's surface, and modes there by polynomials.
+TEST(FloatingAnswer, WithAllModesIsTheFullOrdersMotion) {
+  const auto scene = dropped();
+  const Model model = build_model(scene);
+  const Modes modes = all_modes(model);
+  const VectorXd times = VectorXd::LinSpaced(101, 0, scene->duration);
+  const Trajectory modal = floating_answer(model, modes, false, 5e-6, times);
+  const Trajectory full = full_order()->prepare(model, {.time_step = 2e-5}, named("newmark"))->simulate({times});
+  ASSERT_EQ(modal.status, Status::ok);
+  ASSERT_EQ(full.status, Status::ok);
+  ASSERT_GE(modal.bodies[0].contact.touches.size(), 1u);
+  const Touch &a = modal.bodies[0].contact.touches[0], &b = full.bodies[0].contact.touches[0];
+  EXPECT_NEAR(a.start, std::sqrt(2 * drop / g), 1e-12);
+  EXPECT_NEAR(a.start, b.start, 1e-12);
+  EXPECT_NEAR(a.impulse.z(), b.impulse.z(), 0.03 * b.impulse.z());
+  EXPECT_NEAR(a.peak_force, b.peak_force, 0.1 * b.peak_force);
+  double apart = 0, deformed = 0, largest = 0;
+  for (Index k = 0; k < times.size(); ++k) {
+    const Vector3d shift = centre(model, modal, k) - centre(model, full, k);
+    apart = std::max(apart, shift.norm());
+    const auto u = modal.bodies[0].displacement.col(k), v = full.bodies[0].displacement.col(k);
+    const Vector3d gone = centre(model, full, k) - centre(model, full, 0);
+    deformed = std::max(deformed, ((u - v).reshaped(3, u.size() / 3).matrix().colwise() - shift).norm());
+    largest = std::max(largest, (v.reshaped(3, v.size() / 3).matrix().colwise() - gone).norm());
+  }
+  EXPECT_LT(apart, 0.05 * drop);
+  EXPECT_LT(deformed, 0.2 * largest);
+  EXPECT_GT(largest, 0);
+}
+
+// Before anything touches the frame flies, and nothing is deformed: x - X is the rigid motion, to rounding.
+TEST(FloatingAnswer, FliesRigidlyWithPoseAndSpin) {
+  Scene scene = *dropped({1, 0.5, 2});
+  scene.bodies[0].pose.orientation = Eigen::Quaterniond(0.8, 0.3, -0.1, 0.2).normalized();
+  scene.bodies[0].twist.angular_velocity = {3, -2, 5};
+  const Model model = build_model(std::make_shared<const Scene>(scene));
+  const VectorXd times = VectorXd::LinSpaced(5, 0, 0.1);
+  const Trajectory answer = floating_answer(model, modes_of(model, 8), true, 1e-5, times);
+  const Matrix3Xd X = model.bodies[0].points.all();
+  const Vector3d w = scene.bodies[0].twist.angular_velocity;  // of a ball for ever
+  for (Index k = 0; k < 5; ++k) {
+    const double t = times[k];
+    const Eigen::Quaterniond Q =
+        Eigen::Quaterniond(Eigen::AngleAxisd(w.norm() * t, w.normalized())) * scene.bodies[0].pose.orientation;
+    const Vector3d c = scene.bodies[0].pose.position + t * Vector3d(1, 0.5, 2) + t * t / 2 * scene.gravity;
+    const Matrix3Xd expected = ((Q.toRotationMatrix() * X).colwise() + c) - X;
+    EXPECT_LT((answer.bodies[0].displacement.col(k) - expected.reshaped()).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_EQ(answer.bodies[0].strain.col(k).norm(), 0);
+  }
+  EXPECT_EQ(answer.work.steps, 0);
+}
+
+// Points, centroid and forces tell one story: momentum by the answer's own impulse, to what quadrature points say of
+// the centre of mass.
+TEST(FloatingAnswer, CentroidGoesWhereImpulsesTakeIt) {
+  const auto scene = dropped();
+  const Model model = build_model(scene);
+  const VectorXd times = VectorXd::LinSpaced(201, 0, scene->duration);
+  for (const bool static_contact : {false, true}) {
+    const Trajectory answer = floating_answer(model, modes_of(model, 20), static_contact, 5e-6, times);
+    ASSERT_EQ(answer.status, Status::ok);
+    const ContactHistory& contact = answer.bodies[0].contact;
+    ASSERT_GT(contact.impulse(2, 200), 0);
+    const double m = 1100 * 4 / 3.0 * pi * R * R * R, h = times[1];
+    Vector3d pushed = Vector3d::Zero();
+    for (Index k = 0; k + 1 < 201; ++k) pushed += h / 2 * (contact.impulse.col(k) + contact.impulse.col(k + 1)) / m;
+    const Vector3d fallen = times[200] * times[200] / 2 * scene->gravity;
+    const Vector3d moved = centre(model, answer, 200) - centre(model, answer, 0);
+    EXPECT_LT((moved - fallen - pushed).norm(), 1e-2 * pushed.norm()) << static_contact;
+    const VectorXd& E = answer.bodies[0].energy;
+    EXPECT_LT((E.array() - E[0]).abs().maxCoeff(), 5e-3 * m * g * drop) << static_contact;
+  }
+}
+
+// Static shapes are the local compliance that few modes lack: the touch lasts longer and is weaker.
+TEST(FloatingAnswer, StaticShapesGiveWay) {
+  const Model model = build_model(dropped());
+  const Modes few = modes_of(model, 6);
+  const VectorXd times{{0.1}};
+  const Trajectory stiff = floating_answer(model, few, false, 5e-6, times),
+                   soft = floating_answer(model, few, true, 5e-6, times);
+  EXPECT_LT(soft.bodies[0].contact.touches[0].peak_force, 0.95 * stiff.bodies[0].contact.touches[0].peak_force);
+}
+
+TEST(FloatingAnswer, WhatItCannotDoIsRefused) {
+  const Model model = build_model(dropped());
+  const Modes few = modes_of(model, 2);
+  const auto basis = std::make_shared<const FloatingBasis>(floating_basis(model, few, false));
+  EXPECT_THROW(prepare_floating(basis, named("sundials"), {.time_step = 1e-5}), std::invalid_argument);
+  const auto prepared = prepare_floating(basis, named("exact"), {.time_step = 1e-5});
+  EXPECT_EQ(prepared->modes_used(), static_cast<int>(few.size() - 6));
+  EXPECT_EQ(prepared->n_unknowns(), few.size());
+  EXPECT_THROW(prepared->simulate({.t = VectorXd{{0.01}}, .shutter = 0.001}), std::invalid_argument);
+  Reduction reduction;
+  Scene without = *model.scene;
+  without.contacts.clear();
+  Model free = model;
+  free.scene = std::make_shared<const Scene>(without);
+  answer_in_contact(reduction, free, few, false);
+  EXPECT_FALSE(reduction.in_contact);
+  answer_in_contact(reduction, model, few, false);
+  EXPECT_TRUE(reduction.in_contact);
+}
+
+}  // namespace
+}  // namespace mb

@@ -1,0 +1,85 @@
+// For tests: bodies of any shape whose modes are polynomials made up, of frequencies made up. Nothing has to solve for
+// them, and all else is as of a body with modes of its own.
+#pragma once
+
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "mechanics/contact/first_touch_support.h"
+#include "mechanics/geometry/graded_rule.h"
+#include "mechanics/rigid/inertia.h"
+#include "modal/contact/impact_motion.h"
+
+namespace mb::testing {
+
+inline Vector3d half_box(const Shape& shape) {  // [m] of the bounding box
+  Vector3d half;
+  for (int i = 0; i < 3; ++i) half[i] = support_point(shape, Vector3d::Unit(i))[i];
+  return half;
+}
+
+inline PolynomialBasis no_modes(const Shape& shape) {
+  return {Monomials(1, Vector3d::Zero(), half_box(shape)), MatrixXd(12, 0)};
+}
+
+// r modes of that degree; |phi| comes to about `size` [kg^-1/2].
+inline PolynomialBasis random_modes(const Shape& shape, int degree, Index r, double size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const Monomials monomials(degree, Vector3d::Zero(), half_box(shape));
+  MatrixXd a(3 * monomials.size(), r);
+  for (double& x : a.reshaped()) x = size / std::sqrt(static_cast<double>(monomials.size())) * normal(random);
+  return {monomials, a};
+}
+
+// One mode that swells a sphere of that radius: phi = size X / radius.
+inline PolynomialBasis swelling(double radius, double size) {
+  MatrixXd a = MatrixXd::Zero(12, 1);
+  a(3, 0) = a(7, 0) = a(11, 0) = size;
+  return {Monomials(1, Vector3d::Zero(), Vector3d::Constant(radius)), a};
+}
+
+inline FloatingBody floating(const Shape& shape, const std::vector<Roots>& modes, const Vector3d& gravity) {
+  const MassProperties of = mass_properties(shape, 1000);
+  return {true, of.mass, of.inertia, gravity, modes, VectorXd::Zero(static_cast<Index>(modes.size())), {}, {}};
+}
+
+// All of the surface, in cells of that size [m], 2 x 2 points each; the finest at the foci if there are any.
+inline SurfaceSamples samples_of(const Shape& shape, const PolynomialBasis& modes, const Grading& cells,
+                                 const std::vector<Vector3d>& foci = {}) {
+  GradedRule rule = graded_rule(shape, foci, cells);
+  MatrixXd Phi = modes.at(rule.points);
+  const Index m = rule.weights.size();
+  return {std::move(rule.points), std::move(rule.weights), std::move(Phi), MatrixXd(3 * m, 0)};
+}
+
+inline BodyState at_rest(const FloatingBody& body, const Vector3d& c, const Vector3d& v = Vector3d::Zero()) {
+  const Index r = body.n_modes();
+  return {.c = c,
+          .v = v,
+          .Q = Eigen::Quaterniond::Identity(),
+          .L = Vector3d::Zero(),
+          .q = VectorXd::Zero(r),
+          .p = VectorXd::Zero(r),
+          .s = VectorXd::Zero(body.n_static())};
+}
+
+inline ImpactPlan plan_of(const FloatingBody& body, const Shape& shape, const PolynomialBasis& modes,
+                          const BodyState& start, ContactScheme scheme, double step) {
+  return {.body = body,
+          .shape = shape,
+          .geometry = modes,
+          .bounds = shape_bounds(shape, modes),
+          .start = start,
+          .scheme = scheme,
+          .step = step};
+}
+
+inline const RigidSurface ground{HalfSpace{}, 0, {}};
+// A half-space in the way, whose outward normal is n [-] and whose plane goes through x [m].
+inline RigidSurface wall(const Vector3d& x, const Vector3d& n) {
+  return {HalfSpace{}, 0, {x, Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), n)}};
+}
+
+}  // namespace mb::testing
