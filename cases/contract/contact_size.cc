@@ -26,10 +26,22 @@ double contact_modulus_of(const Material& m) {
   return youngs_modulus(m) / (1 - nu * nu);
 }
 
+// Hessian [1/m] of the shape's distance at X, touched from outside, n. It is that of the surface parallel to it a
+// little outside, where edges and corners have one, too: curvature k becomes k/(1 + e k).
+Eigen::Matrix3d shape_hessian(const Shape& shape, const Vector3d& X, const Vector3d& n) {
+  const double e = extent(shape) / sharpest / 4;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(signed_distance(shape, X + e * n).hessian);
+  const Vector3d k = eigen.eigenvalues().unaryExpr([&](double parallel) {
+    const double left = 1 - e * parallel;
+    return left > 0.25 / sharpest ? parallel / left : sharpest / extent(shape);
+  });
+  return eigen.eigenvectors() * k.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
 // Principal curvatures [1/m] of the gap, k_1 <= k_2: the body's and the obstacle's together, across the normal.
 Eigen::Vector2d curvatures(const Body& body, const Vector3d& X, const Pose& pose, const Gap& at) {
   const Eigen::Matrix3d Q = pose.orientation.toRotationMatrix();
-  const Eigen::Matrix3d sum = Q * signed_distance(body.shape, X).hessian * Q.transpose() + at.hessian;
+  const Eigen::Matrix3d sum = Q * shape_hessian(body.shape, X, Q.transpose() * -at.normal) * Q.transpose() + at.hessian;
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - at.normal * at.normal.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(across * sum * across);
   Eigen::Index along = 0;

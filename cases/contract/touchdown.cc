@@ -107,15 +107,20 @@ Vector3d middle_of_touch(const Body& body, const Pose& pose, const RigidSurface&
   return (middle - X).norm() < apart * l ? X : middle;
 }
 
+std::string overlap_message(const Body& body, const ContactPair& pair, const std::optional<FirstTouch>& found) {
+  if (!found || found->kind != FirstTouch::overlap || found->gap >= -allowed_overlap * extent(body.shape)) return {};
+  return fmt::format("body '{}' starts {:.3g} m within obstacle '{}': move it out", body.name, -found->gap,
+                     pair.obstacle);
+}
+
 Meeting meeting_of(const Scene& scene, const Body& body, const RigidMotion& motion, size_t contact) {
   const ContactPair& pair = scene.contacts[contact];
   const RigidSurface& surface = obstacle_of(scene, pair).surface;
   const double l = extent(body.shape);
   const auto found = first_touch(body.shape, motion, surface,
                                  {.t0 = 0, .t1 = scene.duration, .tolerance = 1e-12 * l, .leaving = false});
-  if (found && found->kind == FirstTouch::overlap && found->gap < -allowed_overlap * l)
-    throw std::invalid_argument(fmt::format("body '{}' starts {:.3g} m within obstacle '{}': move it out", body.name,
-                                            -found->gap, pair.obstacle));
+  if (const std::string overlap = overlap_message(body, pair, found); !overlap.empty())
+    throw std::invalid_argument(overlap);
   Meeting meeting{contact, found ? found->t : std::numeric_limits<double>::infinity(), Vector3d::Zero(), {}};
   const Near near = found ? Near{found->t, found->X, found->gap} : nearest_approach(scene, body, motion, surface);
   const Pose pose = motion.pose(near.t);
@@ -146,6 +151,18 @@ Touchdown touchdown(const Scene& scene, const Body& body) {
     down.t = std::min(down.t, down.meetings.back().t);
   }
   return down;
+}
+
+std::string overlap_at_start(const Scene& scene, const Body& body) {
+  const RigidMotion motion(scene, body);
+  for (const ContactPair& pair : scene.contacts) {
+    const Obstacle& obstacle = obstacle_of(scene, pair);
+    if (pair.body != body.name || obstacle.striker) continue;
+    const TouchSearch now{.t0 = 0, .t1 = 0, .tolerance = 1e-12 * extent(body.shape), .leaving = false};
+    const std::string overlap = overlap_message(body, pair, first_touch(body.shape, motion, obstacle.surface, now));
+    if (!overlap.empty()) return overlap;
+  }
+  return {};
 }
 
 PenaltyLaw law_of(const ContactPair& pair, const ContactSize& size) {

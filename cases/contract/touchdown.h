@@ -26,6 +26,9 @@ struct Touchdown {
 // and the depth. What strikes a body touches the middle of its top face at t = 0.
 Touchdown touchdown(const Scene& scene, const Body& body);
 
+// What touchdown would throw because of an overlap at t = 0; empty where there is none. Nothing is searched for.
+std::string overlap_at_start(const Scene& scene, const Body& body);
+
 PenaltyLaw law_of(const ContactPair& pair, const ContactSize& size);
 const Obstacle& obstacle_of(const Scene& scene, const ContactPair& pair);  // throws std::out_of_range naming it
 // The obstacle's surface in the world; of one that strikes, whose distance is among the unknowns, its tangent plane.

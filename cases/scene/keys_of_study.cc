@@ -13,8 +13,9 @@ const std::vector<KeyGroup>& study_keys() {
         {"truth.coarser", "a table", "", "", "required",
          "its distance to `finer` is the discretisation bar; not `finer` itself", "{ degree = 3, cells = [2, 2, 3] }"},
         {"truth.exact", "a closed form", "", "", "none",
-         "the truth `exact`: rod-step, sphere-radial-pulse, timoshenko-impact or zener-impact, for scenes for which it "
-         "holds",
+         "the truth `exact`: rod-step, sphere-radial-pulse, timoshenko-impact, zener-impact, rod-on-wall or "
+         "hertz-impact, "
+         "for scenes for which it holds",
          ""}}},
       {"`[reference_frequencies]`",
        {{"reference_frequencies.hertz", "an array of 1 to 256 numbers", "(0, 1e12]", "1/s", "required",

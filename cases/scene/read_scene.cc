@@ -6,6 +6,7 @@
 #include <set>
 
 #include "cases/scene/check_text.h"
+#include "cases/contract/touchdown.h"
 #include "cases/scene/closed_form.h"
 #include "cases/scene/contact_rules.h"
 #include "cases/scene/names.h"
@@ -190,6 +191,9 @@ Scene read_parts(Section root, const Context& context, const std::string& name) 
   scene.profile = name;
   const std::string problem = closed_form_problem(scene);
   if (!problem.empty()) root.findings().error(truth.exact_at, printable(problem, 300));
+  for (const Body& body : scene.bodies)
+    if (const std::string overlap = overlap_at_start(scene, body); !overlap.empty())
+      root.findings().error(root.where_key("contact"), printable(overlap, 300));
   return scene;
 }
 

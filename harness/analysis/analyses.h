@@ -27,10 +27,10 @@
 //   mode-amplitudes           mode | frequency | omega | fixed energy | fixed force | fixed impulse
 //   mode-amplitude-exponents  claim | held fixed | modes fitted | exponent | standard error | theory | claimed |
 //                             verdict
-//   collision-cost            partner | sweep | contender | polygons n | points m | time | spread | time a point |
-//                             tests | tests a point | building | memory | depth error
+//   collision-cost            partner | sweep | contender | polygons n | points m | time | spread | busy |
+//                             time a point | tests | tests a point | building | memory | depth error
 //   collision-cost-exponents  partner | sweep | contender | sizes fitted | exponent of time |
-//                             standard error of time | exponent of tests | standard error of tests | theory
+//                             standard error of time | busy | exponent of tests | standard error of tests | theory
 //   collision-cost-crossover  partner | sweep | contender | rival | building counts | crossover | largest size |
 //                             time ratio
 //   collision-cost-claim      claim | against | exponent analytic | exponent rival | crossover | verdict

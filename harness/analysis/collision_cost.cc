@@ -13,7 +13,8 @@ namespace mb {
 
 namespace {
 
-constexpr double tick = 1e-9;  // [s] of a clock, below which a time is none
+constexpr double undisturbed = 0.95;  // [-] of the processor, as of measure.h
+constexpr double tick = 1e-9;         // [s] of a clock, below which a time is none
 
 Finding costs_table() {
   return table(
@@ -31,6 +32,7 @@ Finding costs_table() {
        {"points m", ""},
        {"time", "s"},
        {"spread", "s"},
+       {"busy", "-"},
        {"time a point", "s"},
        {"tests", ""},
        {"tests a point", ""},
@@ -41,7 +43,9 @@ Finding costs_table() {
 
 Finding exponents_table() {
   return table("collision-cost", "collision-cost-exponents", "How the cost of collision detection grows",
-               "Exponent p of cost ~ m^p by least squares in logarithms, of measured time and of tests. Theory: of "
+               "Exponent p of cost ~ m^p by least squares in logarithms, of measured time and of tests. Busy: the "
+               "least share of "
+               "the processor while it was timed; below 0.95 other work perturbed the time. Theory: of "
                "tests; a tree's have a logarithm, and from afar the root of n.",
                {{"partner", ""},
                 {"sweep", ""},
@@ -49,6 +53,7 @@ Finding exponents_table() {
                 {"sizes fitted", ""},
                 {"exponent of time", "-"},
                 {"standard error of time", "-"},
+                {"busy", "-"},
                 {"exponent of tests", "-"},
                 {"standard error of tests", "-"},
                 {"theory", "-"}});
@@ -59,7 +64,8 @@ Finding crossovers_table() {
                "From which size on analytic collision detection is cheaper",
                "The size m from which on the analytic contender takes less time than the rival on the same points, for "
                "good; the smallest size tried where it always does, n/a where it does not at the largest. Time ratio: "
-               "rival by analytic at the largest size that both ran at. With building: a tree built anew for each "
+               "rival by analytic at the largest size that both ran at; neither is given where other work perturbed a "
+               "time. With building: a tree built anew for each "
                "query, as a body that deforms calls for.",
                {{"partner", ""},
                 {"sweep", ""},
@@ -73,8 +79,8 @@ Finding crossovers_table() {
 
 Finding claim_table() {
   return table("collision-cost", "collision-cost-claim", "Claim C11: does collision cost O(m) against O(n m)?",
-               "By times where n = m: analytic ~ m, its rival ~ m^2, and from which size on the analytic one is "
-               "cheaper. Both sides answer alike: all distances against brute force and tree, depths inside against "
+               "By tests where n = m: analytic ~ m, its rival ~ m^2; and by times from which size on the analytic one "
+               "is cheaper. Both sides answer alike: all distances against brute force and tree, depths inside against "
                "a tree within reach.",
                {{"claim", ""},
                 {"against", ""},
@@ -90,26 +96,40 @@ struct Sweep {
 };
 
 std::vector<FindingCell> cost_row(const Sweep& sweep, const CollisionRun& run) {
-  return {sweep.partner,   sweep.name,      run.contender,           run.n,     run.m,
-          run.time.median, run.time.spread, run.time.median / run.m, run.tests, run.tests / run.m,
-          run.building,    run.bytes,       run.depth_error};
+  return {sweep.partner,
+          sweep.name,
+          run.contender,
+          run.n,
+          run.m,
+          run.time.median,
+          run.time.spread,
+          run.time.busy,
+          run.time.median / run.m,
+          run.tests,
+          run.tests / run.m,
+          run.building,
+          run.bytes,
+          run.depth_error};
 }
 
 struct Costs {
   VectorXd m, time, tests;
+  double busy = 1;  // the least of them
 };
 Costs costs(const Sweep& sweep, const std::string& contender, bool with_building = false) {
   std::vector<double> m, time, tests;
+  double busy = 1;
   for (const CollisionRun& run : sweep.runs) {
     if (run.contender != contender) continue;
     m.push_back(run.m);
     time.push_back(std::max(run.time.median, tick) + (with_building ? run.building : 0));
     tests.push_back(run.tests);
+    busy = std::min(busy, run.time.busy);
   }
   const auto vector = [](const std::vector<double>& v) {
     return VectorXd(Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size())));
   };
-  return {vector(m), vector(time), vector(tests)};
+  return {vector(m), vector(time), vector(tests), busy};
 }
 
 std::vector<FindingCell> exponent_row(const Sweep& sweep, const std::string& contender) {
@@ -118,8 +138,8 @@ std::vector<FindingCell> exponent_row(const Sweep& sweep, const std::string& con
   double theory = 1;
   if (sweep.name == "n = m" && contender == brute_force) theory = 2;
   if (sweep.name == "n = m" && contender.starts_with(tree)) theory = std::numeric_limits<double>::quiet_NaN();
-  return {sweep.partner,  sweep.name,           contender, count(time.n_points), time.exponent, time.standard_error,
-          tests.exponent, tests.standard_error, theory};
+  return {sweep.partner,       sweep.name, contender,      count(time.n_points), time.exponent,
+          time.standard_error, all.busy,   tests.exponent, tests.standard_error, theory};
 }
 
 struct Duel {
@@ -133,32 +153,41 @@ constexpr Duel duels[] = {{analytic_distance, brute_force, false},
                           {depth_inside, tree_within_reach, true}};
 
 struct Outcome {
-  double crossover, largest, ratio;
+  double crossover, largest, ratio;  // the first and the last NaN where times were perturbed
+  bool perturbed = false;
 };
 Outcome outcome(const Sweep& sweep, const Duel& duel) {
   const Costs rival = costs(sweep, duel.rival, duel.with_building), own = costs(sweep, duel.analytic);
   const Index n = rival.m.size();  // rivals give up at large sizes
   if (n == 0) return {std::nan(""), std::nan(""), std::nan("")};
+  if (std::min(own.busy, rival.busy) < undisturbed) return {std::nan(""), rival.m[n - 1], std::nan(""), true};
   return {crossover(rival.m, own.time.head(n), rival.time), rival.m[n - 1], rival.time[n - 1] / own.time[n - 1]};
 }
 
 std::vector<FindingCell> claim_row(const Sweep& sweep, const Duel& duel) {
   const Costs own = costs(sweep, duel.analytic), rival = costs(sweep, duel.rival);
-  const double p = power_law(own.m, own.time).exponent, q = power_law(rival.m, rival.time).exponent;
-  const double from = outcome(sweep, duel).crossover;
-  return {"C11", fmt::format("{}; {}", duel.rival, sweep.partner), p, q, from, collision_verdict(p, q, from, own.m[0])};
+  const double p = power_law(own.m, own.tests).exponent, q = power_law(rival.m, rival.tests).exponent;
+  const Outcome found = outcome(sweep, duel);
+  return {"C11",
+          fmt::format("{}; {}", duel.rival, sweep.partner),
+          p,
+          q,
+          found.crossover,
+          collision_verdict(p, q, found.crossover, own.m[0], found.perturbed)};
 }
 
 }  // namespace
 
-std::string collision_verdict(double analytic, double rival, double crossover, double smallest) {
+std::string collision_verdict(double analytic, double rival, double crossover, double smallest, bool perturbed) {
   constexpr double width = 0.15;
   if (!std::isfinite(analytic) || !std::isfinite(rival)) return "not decided: too few sizes";
-  const std::string where = std::isnan(crossover)   ? "not cheaper at the largest size"
-                            : crossover <= smallest ? "cheaper at all sizes"
-                                                    : fmt::format("cheaper from m = {:.0f} on", crossover);
+  std::string where = fmt::format("cheaper from m = {:.0f} on", crossover);
+  if (crossover <= smallest) where = "cheaper at all sizes";
+  if (std::isnan(crossover)) where = "not cheaper at the largest size";
+  if (perturbed) where = "times perturbed by other work";
   if (std::abs(analytic - 1) > width) return fmt::format("does not hold: analytic ~ m^{:.2f}; {}", analytic, where);
   if (std::abs(rival - 2) > width) return fmt::format("does not hold: the rival ~ m^{:.2f}; {}", rival, where);
+  if (perturbed) return "not decided: " + where;
   return crossover <= smallest ? "holds" : fmt::format("holds within limits: {}", where);
 }
 

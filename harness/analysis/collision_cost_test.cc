@@ -123,12 +123,15 @@ TEST(CollisionCost, BruteForceGivesUpAndNoOneElse) {
 
 TEST(CollisionCost, VerdictsFollowFromExponentsAndCrossover) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(collision_verdict(1.02, 1.95, 192, 192), "holds");
-  EXPECT_EQ(collision_verdict(1.02, 1.95, 500, 192), "holds within limits: cheaper from m = 500 on");
-  EXPECT_EQ(collision_verdict(1.02, 1.95, nan, 192), "holds within limits: not cheaper at the largest size");
-  EXPECT_EQ(collision_verdict(1.02, 1.2, 192, 192), "does not hold: the rival ~ m^1.20; cheaper at all sizes");
-  EXPECT_EQ(collision_verdict(1.3, 2, 500, 192), "does not hold: analytic ~ m^1.30; cheaper from m = 500 on");
-  EXPECT_EQ(collision_verdict(1, nan, 500, 192), "not decided: too few sizes");
+  EXPECT_EQ(collision_verdict(1.02, 1.95, 192, 192, false), "holds");
+  EXPECT_EQ(collision_verdict(1.02, 1.95, 500, 192, false), "holds within limits: cheaper from m = 500 on");
+  EXPECT_EQ(collision_verdict(1.02, 1.95, nan, 192, false), "holds within limits: not cheaper at the largest size");
+  EXPECT_EQ(collision_verdict(1.02, 1.2, 192, 192, false), "does not hold: the rival ~ m^1.20; cheaper at all sizes");
+  EXPECT_EQ(collision_verdict(1.3, 2, 500, 192, false), "does not hold: analytic ~ m^1.30; cheaper from m = 500 on");
+  EXPECT_EQ(collision_verdict(1, 2, nan, 192, true), "not decided: times perturbed by other work");
+  EXPECT_EQ(collision_verdict(1, 1.3, nan, 192, true),
+            "does not hold: the rival ~ m^1.30; times perturbed by other work");
+  EXPECT_EQ(collision_verdict(1, nan, 500, 192, false), "not decided: too few sizes");
 }
 
 TEST(CollisionCost, BadSizesAndPartnersAreRefused) {

@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "modal/contact/contact_pair.h"
-#include "modal/contact/contact_step.h"
 #include "modal/contact/floating_bodies_test.h"
 #include "modal/contact/turn.h"
 
@@ -45,69 +43,11 @@ BodyState pressed(const FloatingBody& body, double depth) {
 }
 const Vector3d Omega(0.7, -0.4, 1.1);
 
-// The sums of the header, sample by sample, in a state whose static shapes are given.
-ContactLoad by_hand(const FloatingBody& body, const BodyState& at, const Vector3d& spin, VectorXd& on_shapes) {
-  ContactLoad sum{Vector3d::Zero(),
-                  Vector3d::Zero(),
-                  VectorXd::Zero(body.n_modes()),
-                  std::numeric_limits<double>::infinity(),
-                  0,
-                  0,
-                  0,
-                  true};
-  on_shapes = VectorXd::Zero(body.n_static());
-  const Eigen::Matrix3d Q = at.Q.toRotationMatrix();
-  for (const auto& [samples, surface, law] : body.contacts)
-    for (Index i = 0; i < samples.w.size(); ++i) {
-      const auto Phi = samples.Phi.middleRows(3 * i, 3), Psi = samples.Psi.middleRows(3 * i, 3);
-      const Vector3d r = Q * (samples.X.col(i) + Phi * at.q + Psi * at.s);
-      const Vector3d r_0 = Q * (samples.X.col(i) + Phi * at.q);  // what static shapes add is left out of the damping
-      const Gap g = gap(surface, at.c + r);
-      sum.least_gap = std::min(sum.least_gap, g.value);
-      const Vector3d v =
-          at.v + spin.cross(law.friction || dome.shape.index() == surface.shape.index() ? r_0 : r) + Q * (Phi * at.p);
-      const Vector3d f = samples.w[i] * contact_traction(law, g, v).t;
-      sum.force += f;
-      sum.torque += r.cross(f);
-      sum.modal += Phi.transpose() * (Q.transpose() * f);
-      on_shapes += Psi.transpose() * (Q.transpose() * f);
-      sum.stored += samples.w[i] * stored_energy(law, g.value);
-    }
-  sum.stored += 0.5 * at.s.dot(body.static_stiffness * at.s);
-  return sum;
-}
-
 struct Setting {
   RigidSurface obstacle;
   PenaltyLaw law;
 };
 class ContactLoadsOn : public ::testing::TestWithParam<Setting> {};
-
-TEST_P(ContactLoadsOn, AreTheSumsOverSamples) {
-  for (const double depth : {1e-4, 3e-3}) {
-    const FloatingBody body = block_on(GetParam().obstacle, GetParam().law);
-    BodyState state = pressed(body, depth);
-    ContactLoads loads(body);
-    ContactLoad load;
-    for (int again = 0; again < 3; ++again) {  // what was found before is no part of the answer
-      loads(state, Omega, load);
-      ASSERT_TRUE(load.converged);
-      VectorXd on_shapes;
-      const ContactLoad sum = by_hand(body, state, Omega, on_shapes);
-      const double F = sum.force.norm();
-      ASSERT_GT(F, 0);
-      EXPECT_LT((load.force - sum.force).norm(), 1e-11 * F);
-      EXPECT_LT((load.torque - sum.torque).norm(), 1e-11 * F * 0.1);
-      EXPECT_LT((load.modal - sum.modal).norm(), 1e-11 * F);
-      EXPECT_NEAR(load.stored, sum.stored, 1e-11 * sum.stored);
-      EXPECT_NEAR(load.least_gap, sum.least_gap, 1e-15);
-      EXPECT_GT(load.n_visited, 0);
-      // K_s s = sum Psi^T Q^T f, to 1e-10 of either side.
-      EXPECT_LT((body.static_stiffness * state.s - on_shapes).norm(), 2e-10 * on_shapes.norm() + 1e-14 * F);
-      state.c.z() -= 1e-5;
-    }
-  }
-}
 
 // Forces are what the energy falls by: f = -dE/dz for every part of z, the static shapes following in balance. Central
 // differences of step h: h^2 and rounding / h.
@@ -137,66 +77,6 @@ TEST_P(ContactLoadsOn, AreTheGradientOfTheStoredEnergy) {
     plus = minus = at;
     plus.q[i] += h, minus.q[i] -= h;
     EXPECT_NEAR(load.modal[i], (energy(minus) - energy(plus)) / (2 * h), 1e-5 * F) << i;
-  }
-}
-
-// By differences of the forces. Left out are turns of the forces' levers, F |x - c| beside k |x - c|^2: as much as the
-// depth is of the lever.
-TEST_P(ContactLoadsOn, HaveTheStiffnessOfTheirDifferences) {
-  for (const bool free : {true, false}) {
-    PenaltyLaw law = GetParam().law;
-    law.damping = std::min(law.damping, 0.05);
-    const FloatingBody body = block_on(GetParam().obstacle, law, free);
-    BodyState at = pressed(body, 2e-3);
-    at.v.setZero(), at.p /= 100;
-    const Vector3d spin = free ? Vector3d(0.01, 0.02, 0) : Vector3d::Zero();
-    const Index n = free ? 9 : 3;
-    ContactLoads loads(body);
-    ContactLoad load;
-    loads(at, spin, load);
-    const MatrixXd K = loads.stiffness(at.s, 0), C = (loads.stiffness(at.s, 1) - K);
-    ASSERT_EQ(K.rows(), n);
-    const auto force = [&](BodyState state, const Vector3d& turn) {
-      ContactLoad of;
-      loads(state, turn, of);
-      VectorXd f(n);
-      if (free) f.head<6>() << of.force, of.torque;
-      f.tail(3) = of.modal;
-      return f;
-    };
-    MatrixXd by_place(n, n), by_rate(n, n);
-    const double h = 1e-8, u = 1e-4;
-    const auto moved = [&](Index k, double by) {
-      BodyState state = at;
-      if (k < n - 3 && k < 3) state.c[k] += by;
-      if (k < n - 3 && k >= 3) state.Q = turned(at.Q, by * Vector3d::Unit(k - 3));
-      if (k >= n - 3) state.q[k - n + 3] += by;
-      return force(state, spin);
-    };
-    const auto faster = [&](Index k, double by) {
-      BodyState state = at;
-      Vector3d turn = spin;
-      if (k < n - 3 && k < 3) state.v[k] += by;
-      if (k < n - 3 && k >= 3) turn[k - 3] += by;
-      if (k >= n - 3) state.p[k - n + 3] += by;
-      return force(state, turn);
-    };
-    for (Index k = 0; k < n; ++k) {
-      by_place.col(k) = (moved(k, -h) - moved(k, h)) / (2 * h);
-      by_rate.col(k) = (faster(k, -u) - faster(k, u)) / (2 * u);
-    }
-    // Columns and rows by their own size: turns are levers of 0.05 m beside moves of 1.
-    VectorXd scale = VectorXd::Ones(n);
-    if (free) scale.segment<3>(3).setConstant(1 / 0.05);
-    const auto scaled = [&](const MatrixXd& A) { return MatrixXd(scale.asDiagonal() * A * scale.asDiagonal()); };
-    EXPECT_LT(scaled(K - by_place).norm(), 0.05 * scaled(by_place).norm()) << free;
-    if (law.damping > 0 || law.friction) {
-      EXPECT_LT(scaled(C - by_rate).norm(), 0.05 * scaled(by_rate).norm()) << free;
-    } else {
-      EXPECT_EQ(C.norm(), 0);
-    }
-    const double skew = (K - K.transpose()).norm();
-    EXPECT_TRUE(law.friction || skew < 1e-12 * K.norm()) << skew;
   }
 }
 

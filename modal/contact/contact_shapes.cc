@@ -10,25 +10,25 @@ namespace mb {
 
 namespace {
 
-constexpr int n_discs = 9;           // of radius 2a, 2a/sqrt(2), a, ... a/8
+constexpr int n_discs = 9;  // of radius 2a, 2a/sqrt(2), a, ... a/8
+const double ratio = std::sqrt(0.5);
 constexpr double independent = 1e-8; /* [-] of the largest energy */
 constexpr double left_over = 1e-14;  // [-] of the whole response's energy: rounding, where the modes have all of it
 
 // One column a disc: the nodal forces of its pressure along the inward normal.
 MatrixXd disc_forces(const Body& body, const FullModel& full, const Meeting& meeting) {
-  MatrixXd F(full.system().u0.size(), n_discs);
-  double a = std::min(2 * meeting.size.radius, 0.5 * extent(body.shape));
+  const double largest = std::min(2 * meeting.size.radius, 0.5 * extent(body.shape));
+  const double smallest = largest * std::pow(ratio, n_discs - 1);
   const Vector3d inward = -signed_distance(body.shape, meeting.X).gradient;
-  for (int k = 0; k < n_discs; ++k, a /= std::sqrt(2.0)) {
-    const GradedRule rule = graded_rule(body.shape, {meeting.X}, {a / 4, a / 4, 1, 3}, a);
-    VectorXd p(3 * rule.weights.size());
-    for (Index i = 0; i < rule.weights.size(); ++i) {
-      const double x = (rule.points.col(i) - meeting.X).norm() / a;
-      p.segment<3>(3 * i) = (x < 1 ? rule.weights[i] * std::sqrt(1 - x * x) : 0.0) * inward;
-    }
-    F.col(k) = full.displacement_at(rule.points).transpose() * p;
+  const GradedRule rule = graded_rule(body.shape, {meeting.X}, {smallest / 4, largest / 4, 0.25, 3}, largest);
+  MatrixXd p = MatrixXd::Zero(3 * rule.weights.size(), n_discs);
+  for (Index i = 0; i < rule.weights.size(); ++i) {
+    const double distance = (rule.points.col(i) - meeting.X).norm();
+    double a = largest;
+    for (int k = 0; k < n_discs && distance < a; ++k, a *= ratio)
+      p.block<3, 1>(3 * i, k) = rule.weights[i] * std::sqrt(1 - distance * distance / (a * a)) * inward;
   }
-  return F;
+  return full.displacement_at(rule.points).transpose() * p;
 }
 
 // Of law hertz the one force there is, on the body and on what strikes it.

@@ -33,7 +33,7 @@ class FlatPair final : public ContactPair {
       require_row(i);
       const auto row = rows_.col(i);
       gap_[k] = height + normal_in_body_.dot(contact_.samples.X.col(i)) + row.dot(state.q);
-      if (rated) rate_[k] = climb + row.dot(state.p) + (Omega.isZero(0) ? 0 : lever.dot(place(i, state.s)));
+      if (rated) rate_[k] = climb + row.dot(state.p) + (Omega.isZero(0) ? 0 : lever.dot(place(i)));
     }
     if (!rated) rate_.head(n_).setZero();
   }
@@ -81,7 +81,7 @@ class FlatPair final : public ContactPair {
   void stiffen(const VectorXd& s, double rate, MatrixXd& K) override {
     const PenaltyLaw& law = contact_.law;
     const Index n_frame = body_.free ? 6 : 0, r = body_.n_modes();
-    VectorXd G(K.rows());
+    VectorXd G(K.rows()), G_rate(K.rows());  // by place and by rate: that of static shapes is left out
     for (Index k = 0; k < n_; ++k) {
       const Index i = reach_[k];
       const double gap = gap_[k] + static_rows_.col(i).dot(s), damped = 1 - law.damping * rate_[k];
@@ -89,11 +89,17 @@ class FlatPair final : public ContactPair {
       if (body_.free) {
         G.head<3>() = normal_;
         G.segment<3>(3) = (state_->Q * place(i, s)).cross(normal_);
+        G_rate.head<3>() = normal_;
+        G_rate.segment<3>(3) = (state_->Q * place(i)).cross(normal_);
       }
       G.segment(n_frame, r) = rows_.col(i);
       G.tail(s.size()) = static_rows_.col(i);
+      G_rate.segment(n_frame, r) = rows_.col(i);
+      G_rate.tail(s.size()).setZero();
       const auto [elastic, by_gap] = layer(law, gap);
-      K.noalias() += contact_.samples.w[i] * (rate * elastic * law.damping - by_gap * damped) * G * G.transpose();
+      const double w = contact_.samples.w[i];
+      K.noalias() -= w * by_gap * damped * G * G.transpose();
+      if (law.damping > 0) K.noalias() += w * rate * elastic * law.damping * G * G_rate.transpose();
     }
   }
 
@@ -108,9 +114,11 @@ class FlatPair final : public ContactPair {
     }
     return all;
   }
+  Vector3d place(Index i) const {  // without static shapes, whose rate is left out, too
+    return contact_.samples.X.col(i) + Phi_.middleCols(3 * i, 3).transpose() * state_->q;
+  }
   Vector3d place(Index i, const VectorXd& s) const {  // x - c in the body's axes
-    return contact_.samples.X.col(i) + Phi_.middleCols(3 * i, 3).transpose() * state_->q +
-           Psi_.middleCols(3 * i, 3).transpose() * s;
+    return place(i) + Psi_.middleCols(3 * i, 3).transpose() * s;
   }
   void turn_to(const Vector3d& normal_in_body) {
     if (normal_in_body == normal_in_body_) return;

@@ -71,24 +71,31 @@ class GeneralPair final : public ContactPair {
   void stiffen(const VectorXd& s, double rate, MatrixXd& K) override {
     const Eigen::Matrix3d Q = state_->Q.toRotationMatrix();
     const Index n_frame = body_.free ? 6 : 0, r = body_.n_modes();
-    MatrixXd G(3, K.rows());
+    MatrixXd G(3, K.rows()), G_rate(3, K.rows());  // by place and by rate: that of static shapes is left out
     for (Index k = 0; k < n_; ++k) {
       const Index i = reach_[k];
       const Vector3d x = x_.col(k) + Q * (Psi_.middleCols(3 * i, 3).transpose() * s);
       if (!(gap_value(contact_.surface, x) < 0)) continue;
       const Traction3 t = contact_traction(contact_.law, gap(contact_.surface, x), v_.col(k));
       if (body_.free) {
-        const Vector3d lever = x - state_->c;
         G.leftCols<3>().setIdentity();
-        G.middleCols<3>(3) << 0, lever.z(), -lever.y(), -lever.z(), 0, lever.x(), lever.y(), -lever.x(), 0;
+        G.middleCols<3>(3) = turning(x - state_->c);
+        G_rate.leftCols<3>().setIdentity();
+        G_rate.middleCols<3>(3) = turning(x_.col(k) - state_->c);
       }
       G.middleCols(n_frame, r) = Q * Phi_.middleCols(3 * i, 3).transpose();
       G.rightCols(s.size()) = Q * Psi_.middleCols(3 * i, 3).transpose();
-      K.noalias() -= contact_.samples.w[i] * G.transpose() * (t.by_x + rate * t.by_v) * G;
+      G_rate.middleCols(n_frame, r) = G.middleCols(n_frame, r);
+      G_rate.rightCols(s.size()).setZero();
+      K.noalias() -= contact_.samples.w[i] * G.transpose() * (t.by_x * G + rate * t.by_v * G_rate);
     }
   }
 
  private:
+  // Of theta -> theta x arm.
+  static Eigen::Matrix3d turning(const Vector3d& arm) {
+    return (Eigen::Matrix3d() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0).finished();
+  }
   VectorXd gaps(const BodyState& state) const {
     VectorXd all(contact_.samples.w.size());
     for (Index i = 0; i < all.size(); ++i) {

@@ -5,9 +5,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace mb::fem {
 
@@ -22,15 +25,13 @@ struct Location {
 };
 
 Location locate(const Discretisation& d, const Cell& cell, const Point& x) {
-  constexpr double nowhere = std::numeric_limits<double>::infinity();
-  if (!cell->bounding_box().point_inside(x, 3)) return {{}, nowhere};  // slack: curved faces bulge
   try {
     const Point xi = d.mapping.transform_real_to_unit_cell(cell, x);
     double outside = 0;
     for (unsigned k = 0; k < 3; ++k) outside = std::max({outside, -xi[k], xi[k] - 1});
     return {xi, outside > 1e-10 ? outside : 0};  // Newton's inversion of the mapping is good to about 1e-12
   } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
-    return {{}, nowhere};
+    return {{}, std::numeric_limits<double>::infinity()};
   }
 }
 
@@ -38,29 +39,68 @@ struct Located {
   Cell cell;
   Point xi;
 };
-Located nearest_cell(const Discretisation& d, const Point& x) {
-  Located best;
-  double outside = std::numeric_limits<double>::infinity();
-  for (const Cell& cell : d.nodes.active_cell_iterators()) {
-    const Location here = locate(d, cell, x);
-    if (here.outside < outside) {
-      best = {cell, here.xi};
-      outside = here.outside;
+
+// Finds the cell of a point, the nearest one where it lies in none, among those whose box of vertices is near it.
+class Cells {
+ public:
+  explicit Cells(const Discretisation& d) : d_(d) {
+    for (const Cell& cell : d.nodes.active_cell_iterators()) {
+      const auto [low, high] = cell->bounding_box().get_boundary_points();
+      cells_.push_back({cell, low, high});
     }
-    if (outside == 0) break;
+    near_.reserve(cells_.size());
   }
-  // The faces of the coarsest linear meshes lie below the true surface: five blocks of a disc by 0.7 of a cell, seven
-  // of a ball by 1.8. Two cells away is outside.
-  if (!(outside < 2)) throw std::invalid_argument(fmt::format("point ({}, {}, {}) lies in no cell", x[0], x[1], x[2]));
-  return best;
-}
+
+  Located nearest(const Point& x) {
+    near_.clear();
+    for (size_t i = 0; i < cells_.size(); ++i)
+      if (const double away = cells_[i].away(x); away < farthest) near_.push_back({away, i});
+    std::ranges::sort(near_);
+    double outside = std::numeric_limits<double>::infinity();
+    std::pair<size_t, Point> best;
+    for (const auto& [away, i] : near_) {
+      if (away > bulge + 2 * outside) break;
+      const Location here = locate(d_, cells_[i].cell, x);
+      if (here.outside < outside || (here.outside == outside && i < best.first)) {
+        best = {i, here.xi};
+        outside = here.outside;
+      }
+    }
+    // The faces of the coarsest linear meshes lie below the true surface: five blocks of a disc by 0.7 of a cell, seven
+    // of a ball by 1.8. Two cells away is outside.
+    if (!(outside < 2))
+      throw std::invalid_argument(fmt::format("point ({}, {}, {}) lies in no cell", x[0], x[1], x[2]));
+    return {cells_[best.first].cell, best.second};
+  }
+
+ private:
+  static constexpr double farthest = 3;  // [-] of the box's size
+  static constexpr double bulge = 1.5;   // [-] how far curved faces leave the box of their vertices, at most
+
+  struct Boxed {
+    Cell cell;
+    Point low, high;
+    // Of the box's own size, the largest coordinate; 0 within it.
+    double away(const Point& x) const {
+      double far = 0;
+      for (unsigned k = 0; k < 3; ++k)
+        far = std::max(far, std::max(low[k] - x[k], x[k] - high[k]) / (high[k] - low[k]));
+      return far;
+    }
+  };
+
+  const Discretisation& d_;
+  std::vector<Boxed> cells_;
+  std::vector<std::pair<double, size_t>> near_;
+};
 
 // Calls entry(point, node, N, gradient of N) for every point and every node of its cell.
 using Entry = std::function<void(Index point, Index node, double N, const dealii::Tensor<1, 3>& gradient)>;
 void for_each_entry(const Discretisation& d, const Matrix3Xd& points, const Entry& entry) {
   std::vector<dealii::types::global_dof_index> ids(d.element.n_dofs_per_cell());
+  Cells cells(d);
   for (Index p = 0; p < points.cols(); ++p) {
-    const Located at = nearest_cell(d, Point(points(0, p), points(1, p), points(2, p)));
+    const Located at = cells.nearest(Point(points(0, p), points(1, p), points(2, p)));
     dealii::FEValues<3> values(d.mapping, d.element, dealii::Quadrature<3>(at.xi),
                                dealii::update_values | dealii::update_gradients);
     values.reinit(at.cell);

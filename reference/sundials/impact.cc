@@ -37,14 +37,23 @@ struct StepEnd {
   double dissipated, energy;
 };
 
+// What f is more than linear, x (1 - x) times it, so that its integral is the impulse; where it is less, no more than
+// leaves it pushing:  a (1 - x) + b x - c x (1 - x) >= 0  for  c <= (sqrt a + sqrt b)^2.
+Vector3d bulge(const StepEnd& a, const StepEnd& b) {
+  const Vector3d sum = a.sum.force + b.sum.force, bulge = 6 / (b.t - a.t) * (b.impulse - a.impulse) - 3 * sum;
+  if (bulge.dot(sum) > 0) return bulge;
+  const double most = std::pow(std::sqrt(a.sum.force.norm()) + std::sqrt(b.sum.force.norm()), 2);
+  return std::min(1.0, most / bulge.norm()) * bulge;
+}
+
 // J by Hermite's cubic with J' = f at both ends, f by its derivative; energies are nearly kept, and linear.
 void record_between(const StepEnd& a, const StepEnd& b, double t, Index k, States& out) {
   const double h = b.t - a.t, x = h > 0 ? (t - a.t) / h : 1;
   const Vector3d change = b.impulse - a.impulse;
   out.contact.impulse.col(k) =
       a.impulse + x * x * (3 - 2 * x) * change + h * x * (1 - x) * ((1 - x) * a.sum.force - x * b.sum.force);
-  out.contact.force.col(k) = (1 - x) * (1 - 3 * x) * a.sum.force + x * (3 * x - 2) * b.sum.force;
-  if (h > 0) out.contact.force.col(k) += 6 * x * (1 - x) / h * change;
+  out.contact.force.col(k) = (1 - x) * a.sum.force + x * b.sum.force;
+  if (h > 0) out.contact.force.col(k) += x * (1 - x) * bulge(a, b);
   out.contact.stored[k] = (1 - x) * a.sum.stored + x * b.sum.stored;
   out.contact.dissipated[k] = (1 - x) * a.dissipated + x * b.dissipated;
   out.energy[k] = (1 - x) * a.energy + x * b.energy;
