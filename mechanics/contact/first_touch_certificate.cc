@@ -251,7 +251,8 @@ Proof Prover::run() {
   const long start = motion_.n_evaluations();
   while (!cells_.empty()) {
     if (const int lower = look(plane); lower >= 0) return {0, lower};
-    spent_ = spent_ || open_.size() > most_cells || motion_.n_evaluations() - start > most_evaluations;
+    spent_ =
+        spent_ || open_.size() > most_cells || motion_.spent() || motion_.n_evaluations() - start > most_evaluations;
     split();
   }
   return {dt_, -1, spent_};

@@ -44,7 +44,7 @@ bool ContactLoads::balance(VectorXd& s) {
     r_.setZero();
     H_ = slope * body_.static_stiffness;
     for (const auto& pair : pairs_) pair->push(s, r_, H_);
-    const double size = r_.norm();
+    const double size = std::max(r_.norm(), slope * (body_.static_stiffness * s).norm());
     r_.noalias() -= body_.static_stiffness * (slope * s - carried);
     return std::pair(r_.norm(), size);
   };

@@ -6,6 +6,9 @@ namespace mb {
 namespace {
 
 //   gap_i = n . (c - a) + n_b . X_i + (n_b^T Phi_i) q + (n_b^T Psi_i) s,    n_b = Q^T n,   a a point of the plane
+//
+// The rows n_b^T Phi_i and n_b^T Psi_i stand together in the order of the samples in reach, so that gaps and forces of
+// all of them are products with two narrow matrices.
 class FlatPair final : public ContactPair {
  public:
   FlatPair(const FloatingBody& body, const SampledContact& contact)
@@ -15,64 +18,69 @@ class FlatPair final : public ContactPair {
         reach_(contact),
         Phi_(contact.samples.Phi.transpose()),
         Psi_(contact.samples.Psi.transpose()),
-        rows_(Phi_.rows(), contact.samples.w.size()),
-        static_rows_(Psi_.rows(), contact.samples.w.size()),
-        known_(static_cast<size_t>(contact.samples.w.size()), 0),
-        gap_(contact.samples.w.size()),
-        rate_(contact.samples.w.size()) {}
+        rows_(Phi_.rows(), n_samples()),
+        static_rows_(Psi_.rows(), n_samples()),
+        pushing_(Psi_.rows(), n_samples()) {
+    for (VectorXd* x : {&height_, &gap_, &rate_, &deformed_, &force_}) x->resize(n_samples());
+  }
 
   void look(const BodyState& state, const Vector3d& Omega) override {
     state_ = &state;
     turn_to(state.Q.conjugate() * normal_);
     n_ = reach_.n_reachable(state, [&] { return gaps(state); });
-    const double height = normal_.dot(state.c - contact_.surface.pose.position), climb = normal_.dot(state.v);
-    const bool rated = contact_.law.damping > 0;
-    const Vector3d lever = state.Q.conjugate() * normal_.cross(Omega);  // n . (Omega x r) = (n x Omega) . r
-    for (Index k = 0; k < n_; ++k) {
-      const Index i = reach_[k];
-      require_row(i);
-      const auto row = rows_.col(i);
-      gap_[k] = height + normal_in_body_.dot(contact_.samples.X.col(i)) + row.dot(state.q);
-      if (rated) rate_[k] = climb + row.dot(state.p) + (Omega.isZero(0) ? 0 : lever.dot(place(i)));
+    gather();
+    const double height = normal_.dot(state.c - contact_.surface.pose.position);
+    gap_.head(n_).noalias() = rows_.leftCols(n_).transpose() * state.q;
+    gap_.head(n_).array() += height + height_.head(n_).array();
+    if (contact_.law.damping == 0) {
+      rate_.head(n_).setZero();
+      return;
     }
-    if (!rated) rate_.head(n_).setZero();
+    rate_.head(n_).noalias() = rows_.leftCols(n_).transpose() * state.p;
+    rate_.head(n_).array() += normal_.dot(state.v);
+    if (Omega.isZero(0)) return;
+    const Vector3d lever = state.Q.conjugate() * normal_.cross(Omega);  // n . (Omega x r) = (n x Omega) . r
+    for (Index k = 0; k < n_; ++k) rate_[k] += lever.dot(place(reach_[k]));
   }
 
   void push(const VectorXd& s, VectorXd& f_s, MatrixXd& H) override {
     const PenaltyLaw& law = contact_.law;
+    deform(s);
     for (Index k = 0; k < n_; ++k) {
-      const Index i = reach_[k];
-      const double gap = gap_[k] + static_rows_.col(i).dot(s), damped = 1 - law.damping * rate_[k];
-      if (!(gap < 0 && damped > 0)) continue;
-      const auto [elastic, by_gap] = layer(law, gap);
-      const double area = contact_.samples.w[i] * damped;
-      f_s.noalias() += (area * elastic) * static_rows_.col(i);
-      H.noalias() -= (area * by_gap) * static_rows_.col(i) * static_rows_.col(i).transpose();
+      const double damped = 1 - law.damping * rate_[k];
+      const bool presses = deformed_[k] < 0 && damped > 0;
+      const auto [elastic, by_gap] = presses ? layer(law, deformed_[k]) : Layer{0, 0};
+      const double area = contact_.samples.w[reach_[k]] * damped;
+      force_[k] = area * elastic;
+      pushing_.col(k) = -area * by_gap * static_rows_.col(k);
     }
+    f_s.noalias() += static_rows_.leftCols(n_) * force_.head(n_);
+    H.noalias() += pushing_.leftCols(n_) * static_rows_.leftCols(n_).transpose();
   }
 
   bool covers(const VectorXd& s) override { return reach_.covers(s); }
 
   void act(const VectorXd& s, ContactLoad& load) override {
     const PenaltyLaw& law = contact_.law;
-    double sum = 0;
+    deform(s);
     Index n_pressing = 0;
     Vector3d moment = Vector3d::Zero();  // sum f_i r_i, body frame
     for (Index k = 0; k < n_; ++k) {
-      const Index i = reach_[k];
-      const double gap = gap_[k] + static_rows_.col(i).dot(s);
+      const double gap = deformed_[k];
       load.least_gap = std::min(load.least_gap, gap);
+      force_[k] = 0;
       if (!(gap < 0)) continue;
       ++n_pressing;
+      const Index i = reach_[k];
       const double damped = std::max(0.0, 1 - law.damping * rate_[k]);
-      const double elastic = contact_.samples.w[i] * layer(law, gap).pressure, f = elastic * damped;
+      const double elastic = contact_.samples.w[i] * layer(law, gap).pressure;
+      force_[k] = elastic * damped;
       load.stored += contact_.samples.w[i] * stored_energy(law, gap);
       load.dissipation += elastic * (1 - damped) * rate_[k];
-      sum += f;
-      load.modal.noalias() += f * rows_.col(i);
-      if (body_.free) moment += f * place(i, s);
+      if (body_.free) moment += force_[k] * place(i, s);
     }
-    load.force += sum * normal_;
+    load.modal.noalias() += rows_.leftCols(n_) * force_.head(n_);
+    load.force += force_.head(n_).sum() * normal_;
     load.torque += state_->Q * moment.cross(normal_in_body_);
     load.n_visited += n_;
     reach_.pressed(n_pressing);
@@ -84,7 +92,7 @@ class FlatPair final : public ContactPair {
     VectorXd G(K.rows()), G_rate(K.rows());  // by place and by rate: that of static shapes is left out
     for (Index k = 0; k < n_; ++k) {
       const Index i = reach_[k];
-      const double gap = gap_[k] + static_rows_.col(i).dot(s), damped = 1 - law.damping * rate_[k];
+      const double gap = gap_[k] + static_rows_.col(k).dot(s), damped = 1 - law.damping * rate_[k];
       if (!(gap < 0 && damped > 0)) continue;
       if (body_.free) {
         G.head<3>() = normal_;
@@ -92,9 +100,9 @@ class FlatPair final : public ContactPair {
         G_rate.head<3>() = normal_;
         G_rate.segment<3>(3) = (state_->Q * place(i)).cross(normal_);
       }
-      G.segment(n_frame, r) = rows_.col(i);
-      G.tail(s.size()) = static_rows_.col(i);
-      G_rate.segment(n_frame, r) = rows_.col(i);
+      G.segment(n_frame, r) = rows_.col(k);
+      G.tail(s.size()) = static_rows_.col(k);
+      G_rate.segment(n_frame, r) = rows_.col(k);
       G_rate.tail(s.size()).setZero();
       const auto [elastic, by_gap] = layer(law, gap);
       const double w = contact_.samples.w[i];
@@ -104,15 +112,18 @@ class FlatPair final : public ContactPair {
   }
 
  private:
-  VectorXd gaps(const BodyState& state) {
+  Index n_samples() const { return contact_.samples.w.size(); }
+
+  VectorXd gaps(const BodyState& state) const {
+    VectorXd u = Phi_.transpose() * state.q;
+    u.noalias() += Psi_.transpose() * state.s;
+    const auto x = contact_.samples.X + u.reshaped(3, n_samples()).matrix();
     const double height = normal_.dot(state.c - contact_.surface.pose.position);
-    VectorXd all(contact_.samples.w.size());
-    for (Index i = 0; i < all.size(); ++i) {
-      require_row(i);
-      all[i] = height + normal_in_body_.dot(contact_.samples.X.col(i)) + rows_.col(i).dot(state.q) +
-               static_rows_.col(i).dot(state.s);
-    }
-    return all;
+    return (x.transpose() * normal_in_body_).array() + height;
+  }
+  void deform(const VectorXd& s) {
+    deformed_.head(n_).noalias() = static_rows_.leftCols(n_).transpose() * s;
+    deformed_.head(n_) += gap_.head(n_);
   }
   Vector3d place(Index i) const {  // without static shapes, whose rate is left out, too
     return contact_.samples.X.col(i) + Phi_.middleCols(3 * i, 3).transpose() * state_->q;
@@ -120,16 +131,21 @@ class FlatPair final : public ContactPair {
   Vector3d place(Index i, const VectorXd& s) const {  // x - c in the body's axes
     return place(i) + Psi_.middleCols(3 * i, 3).transpose() * s;
   }
+
   void turn_to(const Vector3d& normal_in_body) {
     if (normal_in_body == normal_in_body_) return;
     normal_in_body_ = normal_in_body;
-    ++turn_;
+    n_gathered_ = 0;
   }
-  void require_row(Index i) {
-    if (known_[static_cast<size_t>(i)] == turn_) return;
-    rows_.col(i).noalias() = Phi_.middleCols(3 * i, 3) * normal_in_body_;
-    static_rows_.col(i).noalias() = Psi_.middleCols(3 * i, 3) * normal_in_body_;
-    known_[static_cast<size_t>(i)] = turn_;
+  // Rows of the samples in reach that are not known yet for this list and this orientation.
+  void gather() {
+    if (reach_.n_lists() != list_) list_ = reach_.n_lists(), n_gathered_ = 0;
+    for (; n_gathered_ < n_; ++n_gathered_) {
+      const Index i = reach_[n_gathered_];
+      rows_.col(n_gathered_).noalias() = Phi_.middleCols(3 * i, 3) * normal_in_body_;
+      static_rows_.col(n_gathered_).noalias() = Psi_.middleCols(3 * i, 3) * normal_in_body_;
+      height_[n_gathered_] = normal_in_body_.dot(contact_.samples.X.col(i));
+    }
   }
 
   const FloatingBody& body_;
@@ -137,11 +153,13 @@ class FlatPair final : public ContactPair {
   Vector3d normal_, normal_in_body_ = Vector3d::Zero();
   Reach reach_;
   MatrixXd Phi_, Psi_;           // r x 3 m, n_s x 3 m: what belongs to a sample stands together
-  MatrixXd rows_, static_rows_;  // n_b^T Phi_i, n_b^T Psi_i as columns, known for this turn
-  std::vector<long> known_;
-  long turn_ = 0;
-  VectorXd gap_, rate_;  // of the samples in reach, in their order
-  Index n_ = 0;
+  MatrixXd rows_, static_rows_;  // r, n_s by place in the list
+  MatrixXd pushing_;             // n_s by place: static_rows_ by what their forces lose with the gap
+  VectorXd height_;              // [m] n_b . X_i by place, as all that follows
+  VectorXd gap_, rate_;          // but for the static shapes
+  VectorXd deformed_, force_;    // [m] gap with them; [N]
+  Index n_ = 0, n_gathered_ = 0;
+  long list_ = 0;
   const BodyState* state_ = nullptr;
 };
 

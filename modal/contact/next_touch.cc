@@ -1,5 +1,6 @@
 #include "modal/contact/next_touch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -15,7 +16,8 @@ namespace {
 
 constexpr double tolerance = 1e-12;  // [-] of the extent
 constexpr double depth = 0.05;       // [-] of the extent: how far a body that lets go may still overlap
-constexpr long budget = 100'000;     // evaluations; steps are cheaper than what takes more
+constexpr double step_cost = 16;     // evaluations of the motion that a step in contact costs as much as
+constexpr double least_budget = 100, most_budget = 2e6;  // evaluations
 
 Eigen::Matrix3d cross_matrix(const Vector3d& w) {
   Eigen::Matrix3d W;
@@ -46,7 +48,8 @@ class FloatingMotion final : public BodyMotion {
 
   MotionBounds bounds(double ta, double tb) const override {
     const ShapeBounds& shapes = plan_.bounds;
-    const AmplitudeBounds a = amplitude_bounds(plan_.body, start_.q, start_.p, std::max(tb, ta) - flight_.start());
+    if (ta != t_) look(ta);  // what is damped away by then bounds nothing
+    const AmplitudeBounds a = amplitude_bounds(plan_.body, state_.q, state_.p, tb - ta);
     const double u = a.q.dot(shapes.value), u_t = a.p.dot(shapes.value), u_tt = a.a.dot(shapes.value);
     return {plan_.body.free ? plan_.body.gravity : Vector3d::Zero(),
             (1 + spin_up_) * spin_ * spin_ * (circumradius_ + u) + 2 * spin_ * u_t + u_tt, a.q.dot(shapes.bend),
@@ -121,6 +124,9 @@ std::optional<NextTouch> next_touch(const ImpactPlan& plan, const BodyFlight& fl
   for (const SampledContact& contact : plan.body.contacts)
     for (const Window& w : windows(plan, start, contact.surface, flight.start(), earliest ? earliest->t : end)) {
       const bool at_start = leaving && w.from == flight.start();
+      // A search is not to cost more than the steps that it saves.
+      const auto budget =
+          static_cast<long>(std::clamp(step_cost * (w.to - w.from) / plan.step, least_budget, most_budget));
       const auto touch = first_touch(plan.shape, motion, contact.surface,
                                      {.t0 = w.from,
                                       .t1 = w.to,

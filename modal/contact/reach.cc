@@ -40,6 +40,7 @@ bool Reach::spent(const BodyState& state) const {
 void Reach::renew(const BodyState& state, const VectorXd& gaps) {
   c_ = state.c, Q_ = state.Q, q_ = state.q, s_ = state.s;
   in_vain_ = 0;
+  ++n_lists_;
   beyond_ = -1;
   gap_.clear();
   if (!std::isfinite(gaps.sum())) return;  // nothing presses in a state that is none
@@ -59,7 +60,7 @@ Index Reach::count(const BodyState& state) {
 bool Reach::covers(const VectorXd& s) {
   const double way = largest_s_.dot((s - state_s_).cwiseAbs());
   const bool covered = way <= margin_;
-  margin_ = 2 * way;
+  margin_ = std::max(2 * way, 0.8 * margin_);
   return covered;
 }
 

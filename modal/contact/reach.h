@@ -30,6 +30,7 @@ class Reach {
   bool covers(const VectorXd& s);
   void pressed(Index n) { in_vain_ += n_ - n; }  // how many of those counted did press
 
+  long n_lists() const { return n_lists_; }  // made so far: another one, another order
   Index operator[](Index place) const { return order_[static_cast<size_t>(place)]; }
 
  private:
@@ -50,6 +51,7 @@ class Reach {
   VectorXd state_s_;   // of the last count
   double margin_ = 0;  // [m] that static shapes may move samples after it
   Index n_ = 0, in_vain_ = 0;
+  long n_lists_ = 0;
 };
 
 // Bounds [m] of each shape's displacement over all samples: max_i |Phi_ik|.
