@@ -69,7 +69,7 @@ TEST(Canonical, depends_on_all_that_a_scene_with_contact_states) {
   const std::pair<const char*, const char*> changes[] = {
       {"gravity = [0, 0, -9.81]", "gravity = [0, 0, -9.82]"},
       {"gravity = [0, 0, -9.81]", ""},
-      {"position = [0, 0, 0.56]", "position = [0, 0, 0.57]"},
+      {"position = [0, 0, 5]", "position = [0, 0, 0.57]"},
       {"axis = [0, 2, 0], angle = 0.5", "axis = [0, 2, 0.1], angle = 0.5"},
       {"angle = 0.5", "angle = 0.6"},
       {"velocity         = [0, 0, -3.13]", "velocity = [0, 0, -3.14]"},

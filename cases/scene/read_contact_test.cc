@@ -113,7 +113,7 @@ TEST(ReadObstacle, rounding_leaves_something_of_every_face) {
 
 TEST(ReadPose, turns_about_an_axis_of_any_length) {
   const Body body = test::read(contact_text()).bodies[0];
-  EXPECT_EQ(body.pose.position, Vector3d(0, 0, 0.56));
+  EXPECT_EQ(body.pose.position, Vector3d(0, 0, 5));
   const Vector3d x = body.pose.orientation * Vector3d::UnitX();  // right-handed about y: x turns towards -z
   EXPECT_NEAR((x - Vector3d(std::cos(0.5), 0, -std::sin(0.5))).norm(), 0, 1e-15);
   EXPECT_NEAR(body.pose.orientation.norm(), 1, 1e-15);
@@ -125,7 +125,10 @@ TEST(ReadPose, turns_about_an_axis_of_any_length) {
 
 TEST(ReadStart, a_body_without_pose_and_velocity_rests_at_the_origin) {
   std::string text = with(contact_text(), "velocity         = [0, 0, -3.13]", "");
-  text = with(text, "pose             = { position = [0, 0, 0.56], axis = [0, 2, 0], angle = 0.5 }", "");
+  text = with(text, "pose             = { position = [0, 0, 5], axis = [0, 2, 0], angle = 0.5 }", "");
+  text = with(text, "position = [0, 0, 0.25]", "position = [0, 0, -5]");  // obstacles out of its way
+  text = with(text, "shape = { kind = \"half-space\" }",
+              "shape = { kind = \"half-space\" }\npose = { position = [0, 0, -5] }");
   const Body body = test::read(with(text, "angular_velocity = [0, 12, 0]", "")).bodies[0];
   EXPECT_TRUE(body.pose.position.isZero(0));
   EXPECT_EQ(body.pose.orientation.w(), 1);
