@@ -1,6 +1,6 @@
 // What analyses found (cases/contract/finding.h) as tables of the report, in the report's order: error budget, step
-// limits, temporal aliasing, frequency response, damping, mode amplitudes, collision cost, contact forces, natural frequencies,
-// extremes of probes, then whatever else there is.
+// limits, temporal aliasing, frequency response, damping, mode amplitudes, collision cost, contact forces, natural
+// frequencies, extremes of probes, then whatever else there is.
 #pragma once
 
 #include <string>

@@ -72,6 +72,8 @@ Resolution resolution_from(Members& members) {
   const Json& cells = members.get("cells");
   if (!cells.is_array() || cells.size() > 3) refuse("cells", "is not a list of at most 3 counts");
   for (const Json& n : cells) resolution.cells.push_back(static_cast<int>(integer(n, "cells", 0, 1 << 20)));
+  if (const Json* graded = members.find("graded"))
+    resolution.graded = static_cast<int>(integer(*graded, "graded", 1, 99));
   return resolution;
 }
 
@@ -102,6 +104,7 @@ Json to_json(const Record& record) {
   json["integrator"] = record.contender.integrator;
   json["degree"] = record.contender.resolution.degree;
   json["cells"] = record.contender.resolution.cells;
+  if (record.contender.resolution.graded > 0) json["graded"] = record.contender.resolution.graded;
   json["settings"] = settings_json(record);
   json["modes_used"] = record.modes_used;
   json["n_unknowns"] = record.n_unknowns;

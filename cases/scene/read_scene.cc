@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "cases/scene/check_text.h"
 #include "cases/contract/touchdown.h"
+#include "cases/scene/check_text.h"
 #include "cases/scene/closed_form.h"
 #include "cases/scene/contact_rules.h"
 #include "cases/scene/names.h"

@@ -64,8 +64,14 @@ double force_error(const Trajectory& answer, const Trajectory& truth, const Metr
   return size > 0 ? std::sqrt((f - f_true).colwise().squaredNorm().dot(tau) / size) : nan;
 }
 
-// [J] kinetic energy at the first touch, that of what strikes the body included, or the largest that contacts hold:
-// what is in play.
+// c(t_k) of a free body's centroid [m].
+Vector3d centroid_at(const Trajectory& answer, const MetricContext& context, Index k) {
+  const auto& [X, w] = context.points.volume;
+  return rigid_frame(X, w, of(answer, context).displacement.col(k).head(3 * X.cols())).c;
+}
+
+// [J] What is in play: the kinetic energy at the first touch, that of what strikes the body included, the largest that
+// contacts hold, or the largest work of the weight.
 double energy_brought(const Trajectory& answer, const MetricContext& context) {
   const Body& b = body(context);
   if (const Obstacle* obstacle = striker_of(context.scene, b))
@@ -73,7 +79,13 @@ double energy_brought(const Trajectory& answer, const MetricContext& context) {
   const Touch* touch = first_touch(answer, context);
   const Vector3d v = b.twist.velocity + (touch ? touch->start : 0) * context.scene.gravity;
   const double stored = of(answer, context).contact.stored.maxCoeff();
-  return std::max(0.5 * mass(b) * v.squaredNorm(), stored);
+  double work = 0;
+  if (context.free && !context.scene.gravity.isZero(0))
+    for (Index k = 1; k < answer.t.size(); ++k) {
+      const Vector3d way = centroid_at(answer, context, k) - centroid_at(answer, context, 0);
+      work = std::max(work, mass(b) * std::abs(context.scene.gravity.dot(way)));
+    }
+  return std::max({0.5 * mass(b) * v.squaredNorm(), stored, work});
 }
 
 double energy_gain(const Trajectory& answer, const Trajectory&, const MetricContext& context) {
@@ -88,12 +100,11 @@ double energy_gain(const Trajectory& answer, const Trajectory&, const MetricCont
 double momentum_defect(const Trajectory& answer, const Trajectory&, const MetricContext& context) {
   if (!context.free) return nan;
   const Body& b = body(context);
-  const auto& [X, w] = context.points.volume;
   const BodyTrajectory& moved = of(answer, context);
   const Index n = answer.t.size();
   if (moved.contact.impulse.cols() != n || n < 2) return nan;
   const double t0 = answer.t[0], T = answer.t[n - 1];
-  const auto place = [&](Index k) { return rigid_frame(X, w, moved.displacement.col(k).head(3 * X.cols())).c; };
+  const auto place = [&](Index k) { return centroid_at(answer, context, k); };
   const Vector3d pushed = moved.contact.impulse * trapezoid_weights(answer.t) / mass(b);  // int J dt / m
   const Vector3d thrown = (T - t0) * b.twist.velocity + (T * T - t0 * t0) / 2 * context.scene.gravity;
   const Vector3d defect = place(n - 1) - place(0) - thrown - pushed;

@@ -22,7 +22,8 @@ const std::map<std::string, Origin>& origins() {
   static const std::string signal = "; s: of the answer, s*: of the truth; tau: weights of times (trapezoidal rule)";
   static const std::string touch = "mechanics/contact/touches.h";
   static const std::string first =
-      "; of the first touch, from t_0 to t_1, separations shorter than a tenth of it included; *: the truth";
+      "; of the first touch, from t_0 to t_1, separations shorter than a tenth of the longer touch beside them "
+      "included; *: the truth";
   static const std::map<std::string, Origin> all = {
       {"displacement-error",
        {"sqrt(sum_t tau sum_i w_i rho |u_i - u*_i|^2 / sum_t tau sum_i w_i rho |u*_i|^2)" + u + weights,
@@ -65,8 +66,8 @@ const std::map<std::string, Origin>& origins() {
         "Stronge 2000, Impact Mechanics, sect. 2.5"}},
       {"force-error", {"sqrt(sum_t tau |f - f*|^2 / sum_t tau |f*|^2)" + signal, l2}},
       {"energy-gain",
-       {"max_t (E(t) + D(t) - E(0)) / max(m v^2 / 2, max_t S(t)), E: kinetic, elastic, of the weight and stored in "
-        "contacts; D: lost in contacts; S: stored there; v: at the first touch",
+       {"max_t (E(t) + D(t) - E(0)) / max(m v^2 / 2, max_t S(t), max_t W(t)), E: kinetic, elastic, of the weight and "
+        "stored in contacts; D: lost in contacts; S: stored there; W: work of the weight; v: at the first touch",
         "conservation of energy"}},
       {"momentum-defect",
        {"|[c - v t - g t^2/2] - int J dt / m| / |int J dt / m|, [ ]: last time less the first, c: centroid, v: at t = "

@@ -36,8 +36,7 @@ Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free
       finite_truths_[kind].push_back(is_finite(truth_.of(kind), b));
   for (size_t i = 0; i < subjects_.size(); ++i)
     for (const TruthKind kind : known_truths(truth_))
-      if (!subjects_[i].metric.of_answer_alone &&
-          (kind == TruthKind::finer || !subjects_[i].metric.of_truth_alone))
+      if (!subjects_[i].metric.of_answer_alone && (kind == TruthKind::finer || !subjects_[i].metric.of_truth_alone))
         bars_[{i, kind}] = error_bar(subjects_[i].metric, truth_, kind, subjects_[i].context);
 }
 

@@ -82,7 +82,7 @@ TEST(OverridesTest, TheLimitsOfCaseFilesHold) {
   refused("rival.time_steps=1e999", "must be a number");
   refused("modal.modes=", "must be an integer");
   refused("modal.integrators=newmark", "missing key 'time_steps' in [[study.stepping]]");  // no step is given
-  refused("modal.contact_steps=1e-4", "contact_steps");  // of scenes with contact
+  refused("modal.contact_steps=1e-4", "contact_steps");                                    // of scenes with contact
   refused("modal.time_steps=0.01", "'modal.time_steps' needs modal.integrators");
   refused("rival.integrators=central-difference", "missing key 'cells' in [[study.rival]]");
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <set>
+#include <tuple>
 
 #include "harness/study/identity.h"
 
@@ -69,7 +70,8 @@ std::vector<Contender> contenders(const Scene& scene, const Catalogue& catalogue
   for (const Stepping& stepping : scene.study.steppings) append(all, stepping, scene, catalogue);
   for (const Rival& rival : scene.study.rivals) append(all, rival);
   std::stable_sort(all.begin(), all.end(), [](const Contender& a, const Contender& b) {
-    return std::pair(a.resolution.cells, a.resolution.degree) < std::pair(b.resolution.cells, b.resolution.degree);
+    const auto key = [](const Resolution& r) { return std::tuple(r.cells, r.degree, r.graded); };
+    return key(a.resolution) < key(b.resolution);
   });
   return all;
 }

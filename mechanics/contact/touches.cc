@@ -1,5 +1,6 @@
 #include "mechanics/contact/touches.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,7 +8,7 @@ namespace mb {
 
 namespace {
 
-constexpr double short_separation = 0.1;  // [-] of the touch before it
+constexpr double short_separation = 0.1;  // [-] of the longer touch beside it
 
 // Where the gap passes zero between two moments, as a line.
 double crossing(const ContactMoment& a, const ContactMoment& b) {
@@ -27,19 +28,18 @@ Peak vertex(const ContactMoment& a, const ContactMoment& b, const ContactMoment&
   return {b.t + dt, fb + slope * dt + bend * dt * dt};
 }
 
+// Nothing pushes in between.
+Touch together(const Touch& a, const Touch& b) {
+  const Touch& higher = a.peak_force >= b.peak_force ? a : b;
+  return {a.start, b.end, higher.peak_force, higher.peak_time, a.impulse + b.impulse};
+}
+
 }  // namespace
 
 void TouchLog::open(const ContactMoment& now) {
   const double start = met_ ? *met_ : last_.empty() ? now.t : crossing(last_.back(), now);
   met_.reset();
   touching_ = true;
-  if (!touches_.empty()) {
-    Touch& before = touches_.back();
-    if (start - before.end <= short_separation * (before.end - before.start)) {
-      before.end = std::numeric_limits<double>::infinity();
-      return;
-    }
-  }
   impulse_at_start_ = last_.empty() ? now.impulse : last_.back().impulse;
   touches_.push_back({start, std::numeric_limits<double>::infinity(), 0, start, Vector3d::Zero()});
 }
@@ -73,6 +73,20 @@ void TouchLog::add(const ContactMoment& now) {
   last_.push_back(now);
 }
 
-std::vector<Touch> TouchLog::touches() const { return touches_; }
+std::vector<Touch> TouchLog::touches() const {
+  std::vector<Touch> merged;
+  for (Touch next : touches_) {
+    const double now = last_.back().t;
+    const auto length = [&](const Touch& touch) { return std::min(touch.end, now) - touch.start; };
+    while (!merged.empty()) {
+      const Touch& before = merged.back();
+      if (next.start - before.end > short_separation * std::max(length(before), length(next))) break;
+      next = together(before, next);
+      merged.pop_back();
+    }
+    merged.push_back(next);
+  }
+  return merged;
+}
 
 }  // namespace mb

@@ -3,7 +3,8 @@
 //
 //   start, end   gap = 0        peak   parabola through the three steps about the largest |F|        impulse = int F dt
 //
-// Separations shorter than a tenth of the touch before them belong to it: a vibrating surface lets go and comes back.
+// Separations shorter than a tenth of the longer touch beside them belong to it: a vibrating surface lets go and comes
+// back.
 #pragma once
 
 #include <optional>

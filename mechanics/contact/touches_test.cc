@@ -70,7 +70,20 @@ TEST(TouchLog, WhereSurfacesMetIsForOneTouchAlone) {
   EXPECT_EQ(twice.touches()[0].start, 2);
 }
 
-// Whether a separation is short is judged by the touch before it, all that was merged into it included.
+// A surface that quivers before it is pressed in earnest: one touch.
+TEST(TouchLog, AShortTouchBelongsToTheLongOneSoonAfter) {
+  TouchLog log;
+  const auto at = [&](double t, double gap) { log.add({t, gap, {0, 0, gap < 0 ? 1.0 : 0.0}, {0, 0, t}}); };
+  at(0, 1), at(0.2, -1), at(0.4, 1), at(1.0, 1), at(1.2, -1), at(20, -1), at(21, 1);  // apart from 0.3 to 1.1
+  const auto touches = log.touches();
+  ASSERT_EQ(touches.size(), 1u);
+  EXPECT_DOUBLE_EQ(touches[0].start, 0.1);
+  EXPECT_DOUBLE_EQ(touches[0].end, 20.5);
+  EXPECT_EQ(touches[0].peak_force, 1);
+  EXPECT_DOUBLE_EQ(touches[0].impulse.z(), 0.4 + 20);
+}
+
+// Whether a separation is short is judged by the longer touch beside it, all that was merged into it included.
 TEST(TouchLog, MergedTouchesGrowTogether) {
   TouchLog log;
   const auto at = [&](double t, double gap, double f) { log.add({t, gap, {0, 0, f}, {0, 0, t}}); };

@@ -12,21 +12,35 @@ namespace {
 
 constexpr int n_discs = 9;  // of radius 2a, 2a/sqrt(2), a, ... a/8
 const double ratio = std::sqrt(0.5);
+constexpr int n_rubbing = (n_discs + 1) / 2;
+constexpr double facing = 0.5;       // [-] cosine of a surface that meets the obstacle
 constexpr double independent = 1e-8; /* [-] of the largest energy */
 constexpr double left_over = 1e-14;  // [-] of the whole response's energy: rounding, where the modes have all of it
 
-// One column a disc: the nodal forces of its pressure along the inward normal.
-MatrixXd disc_forces(const Body& body, const FullModel& full, const Meeting& meeting) {
+// One column a disc: the nodal forces of its pressure along the inward normal; where friction rubs, every other disc
+// once more along either tangent, and with pressures that tilt, p x/a and p y/a: what rubs at its base leans.
+MatrixXd disc_forces(const Body& body, const FullModel& full, const Meeting& meeting, bool rubs) {
   const double largest = std::min(2 * meeting.size.radius, 0.5 * extent(body.shape));
   const double smallest = largest * std::pow(ratio, n_discs - 1);
   const Vector3d inward = -signed_distance(body.shape, meeting.X).gradient;
+  const Vector3d along = inward.unitOrthogonal(), across = inward.cross(along);
   const GradedRule rule = graded_rule(body.shape, {meeting.X}, {smallest / 4, largest / 4, 0.25, 3}, largest);
-  MatrixXd p = MatrixXd::Zero(3 * rule.weights.size(), n_discs);
+  MatrixXd p = MatrixXd::Zero(3 * rule.weights.size(), n_discs + (rubs ? 4 * n_rubbing : 0));
   for (Index i = 0; i < rule.weights.size(); ++i) {
+    // Faces around an edge do not touch.
+    if (signed_distance(body.shape, rule.points.col(i)).gradient.dot(inward) > -facing) continue;
     const double distance = (rule.points.col(i) - meeting.X).norm();
     double a = largest;
-    for (int k = 0; k < n_discs && distance < a; ++k, a *= ratio)
-      p.block<3, 1>(3 * i, k) = rule.weights[i] * std::sqrt(1 - distance * distance / (a * a)) * inward;
+    for (int k = 0; k < n_discs && distance < a; ++k, a *= ratio) {
+      const double share = rule.weights[i] * std::sqrt(1 - distance * distance / (a * a));
+      p.block<3, 1>(3 * i, k) = share * inward;
+      if (!rubs || k % 2 == 1) continue;
+      const Vector3d arm = (rule.points.col(i) - meeting.X) / a;
+      p.block<3, 1>(3 * i, n_discs + 2 * k) = share * along;
+      p.block<3, 1>(3 * i, n_discs + 2 * k + 1) = share * across;
+      p.block<3, 1>(3 * i, n_discs + 2 * k + 2) = share * arm.dot(along) * inward;
+      p.block<3, 1>(3 * i, n_discs + 2 * k + 3) = share * arm.dot(across) * inward;
+    }
   }
   return full.displacement_at(rule.points).transpose() * p;
 }
@@ -47,9 +61,10 @@ MatrixXd contact_shapes(const Scene& scene, const BodyModel& model, const Modes&
   MatrixXd F(system.u0.size(), 0);
   for (const Meeting& meeting : touchdown.meetings) {
     if (!std::isfinite(meeting.t)) continue;
-    const bool lumped = scene.contacts.at(meeting.contact).law == ContactLaw::hertz;
-    const MatrixXd forces =
-        lumped ? point_force(scene, body, *model.full, meeting) : disc_forces(body, *model.full, meeting);
+    const ContactPair& pair = scene.contacts.at(meeting.contact);
+    const bool lumped = pair.law == ContactLaw::hertz;
+    const MatrixXd forces = lumped ? point_force(scene, body, *model.full, meeting)
+                                   : disc_forces(body, *model.full, meeting, pair.friction > 0);
     F.conservativeResize(Eigen::NoChange, F.cols() + forces.cols());
     F.rightCols(forces.cols()) = forces;
   }
