@@ -9,6 +9,7 @@ namespace mb {
 namespace {
 
 constexpr double short_separation = 0.1;  // [-] of the longer touch beside it
+constexpr double most_unequal = 10;       // [-] steps
 
 // Where the gap passes zero between two moments, as a line.
 double crossing(const ContactMoment& a, const ContactMoment& b) {
@@ -19,8 +20,10 @@ double crossing(const ContactMoment& a, const ContactMoment& b) {
 struct Peak {
   double t, force;
 };
-// Vertex of the parabola through three moments, the middle one the largest.
+// Vertex of the parabola through three moments, the middle one the largest; where steps are too unequal for one, that.
 Peak vertex(const ContactMoment& a, const ContactMoment& b, const ContactMoment& c) {
+  const double before = b.t - a.t, after = c.t - b.t;
+  if (std::max(before, after) > most_unequal * std::min(before, after)) return {b.t, b.force.norm()};
   const double fa = a.force.norm(), fb = b.force.norm(), fc = c.force.norm();
   const double left = (fb - fa) / (b.t - a.t), right = (fc - fb) / (c.t - b.t), bend = (right - left) / (c.t - a.t);
   if (!(bend < 0) || !std::isfinite(bend)) return {b.t, fb};
