@@ -2,7 +2,8 @@
 //
 //   exact              kick h/2, every mode in closed form over h, kick h/2: the contact force acts in pieces
 //                      (Deuflhard 1979, J. Appl. Math. Phys. 30; Hairer, Lubich & Wanner 2006, Geometric Numerical
-//                      Integration, XIII.1), symplectic, order 2; one evaluation of contact a step
+//                      Integration, XIII.1), symplectic, order 2; one evaluation of contact a step. With damping or
+//                      friction in contact order 1: its force takes the rates before the second kick
 //   symplectic-euler   rates with the forces at the start, then places with these rates: order 1, explicit
 //   newmark            average acceleration of frame and modes, contact at the end implicit: order 2
 //
