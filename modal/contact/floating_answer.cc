@@ -46,6 +46,31 @@ SurfaceSamples lumped(const FullModel& full, const RigidSurface& surface, const 
   return {points.X, points.w, points.U * Phi, points.U * Psi};
 }
 
+std::vector<Roots> roots_of(const Modes& modes, Index n_first, const Rayleigh& damping) {
+  std::vector<Roots> all;
+  for (Index i = n_first; i < modes.size(); ++i) {
+    const double lambda = modes.omega[i] * modes.omega[i];
+    all.push_back(roots({lambda, lambda > 0 ? damping.alpha + damping.beta * lambda : 0}));
+  }
+  return all;
+}
+
+std::vector<SampledContact> sampled_contacts(const Model& model, const Touchdown& down, const PolynomialBasis& geometry,
+                                             const MatrixXd& Phi, const MatrixXd& Psi) {
+  const Scene& scene = *model.scene;
+  const Body& body = scene.bodies.front();
+  const FullModel& full = *model.bodies.front().full;
+  std::vector<SampledContact> all;
+  for (const Meeting& meeting : down.meetings) {
+    const ContactPair& pair = scene.contacts[meeting.contact];
+    const RigidSurface surface = surface_met(scene, body, meeting);
+    all.push_back(
+        {pair.law == ContactLaw::hertz ? lumped(full, surface, Phi, Psi) : samples(body, full, meeting, geometry, Psi),
+         surface, law_of(pair, meeting.size)});
+  }
+  return all;
+}
+
 }  // namespace
 
 FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static_contact) {
@@ -78,24 +103,13 @@ FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static
                       mesh.displacement * Psi,
                       mesh.strain * Psi};
   basis.bounds = shape_bounds(body.shape, basis.geometry.basis);
-  for (Index i = 0; i < r; ++i) {
-    const double omega = modes.omega[n_first + i], lambda = omega * omega;
-    const double c = lambda > 0 ? body.damping.alpha + body.damping.beta * lambda : 0;
-    basis.body.modes.push_back(roots({lambda, c}));
-  }
+  basis.body.modes = roots_of(modes, n_first, body.damping);
   basis.body.static_damping = body.damping.beta;
   if (!free) basis.body.weight = Phi.transpose() * mesh.full->system().F.rowwise().sum();
   if (!free) basis.start.p = Phi.transpose() * (mesh.full->system().M * mesh.full->system().v0);
   const Eigen::Quaterniond& Q = body.pose.orientation;
   basis.start.L = Q * (inertia.inertia * (Q.conjugate() * body.twist.angular_velocity));
-  for (const Meeting& meeting : down.meetings) {
-    const ContactPair& pair = scene.contacts[meeting.contact];
-    const RigidSurface surface = surface_met(scene, body, meeting);
-    basis.body.contacts.push_back({pair.law == ContactLaw::hertz
-                                       ? lumped(*mesh.full, surface, Phi, Psi)
-                                       : samples(body, *mesh.full, meeting, basis.geometry.basis, Psi),
-                                   surface, law_of(pair, meeting.size)});
-  }
+  basis.body.contacts = sampled_contacts(model, down, basis.geometry.basis, Phi, Psi);
   return basis;
 }
 
