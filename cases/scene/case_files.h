@@ -20,9 +20,10 @@ inline Vocabulary vocabulary() {
           {"linear", "quadratic", "full"},
           {"sundials"},
           {"budget", "step-limits", "aliasing", "frequency-response", "mode-amplitudes", "damping", "frequencies",
-           "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "flight-cost"},
+           "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact-model", "contact-time",
+           "force-history", "flight-cost"},
           {"budget", "aliasing", "frequency-response", "probe-extremes", "damping"},
-          {"contact-stiffness", "flight-cost"}};
+          {"contact-stiffness", "contact-model", "contact-time", "force-history", "flight-cost"}};
 }
 
 inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }

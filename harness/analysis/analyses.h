@@ -40,6 +40,14 @@
 //   contact-forces-claim      claim | compared | gain | least gain | verdict
 //   contact-stiffness         contact | contender | modes r | factor | stiffness | k a/E* | first touch | duration |
 //                             peak force | impulse | change of duration | ... of peak force | ... of impulse
+//   contact-meetings          obstacle | law | stiffness | stated | E* | a | k a/E* | first touch | speed | approach |
+//                             duration | force
+//   contact-geometry          method | modes r | degree | coefficients | kept | condition | residual | worst mode |
+//                             largest | static shapes | samples
+//   contact-time              method | modes r | dt | part | calls | time | time a call | share
+//   contact-time-runs         method | modes r | static shapes | dt | status | steps | samples | visited | time |
+//                             spread | real-time factor | with displacements
+//   force-history             contender | modes r | time | normal force
 //   flight-cost               varied | method | modes r | flight time | contact time | dt | steps |
 //                             contact evaluations | time | spread | time a step | real-time factor
 //   flight-cost-exponents     cost | grows with | runs fitted | exponent | standard error | expected
@@ -60,6 +68,9 @@ std::vector<Finding> probe_extremes(const AnalysisContext& context);
 std::vector<Finding> collision_cost(const AnalysisContext& context);
 std::vector<Finding> contact_forces(const AnalysisContext& context);
 std::vector<Finding> contact_stiffness(const AnalysisContext& context);
+std::vector<Finding> contact_model(const AnalysisContext& context);
+std::vector<Finding> contact_time(const AnalysisContext& context);
+std::vector<Finding> force_history(const AnalysisContext& context);
 std::vector<Finding> flight_cost(const AnalysisContext& context);
 
 }  // namespace mb

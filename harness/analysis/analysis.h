@@ -28,7 +28,8 @@ struct Analysis {
 };
 
 // The visible list: budget, step-limits, aliasing, frequency-response, mode-amplitudes, damping, frequencies,
-// probe-extremes, collision-cost, contact-forces.
+// probe-extremes, collision-cost, contact-forces, contact-stiffness, contact-model, contact-time, force-history,
+// flight-cost.
 const std::vector<Analysis>& analysis_catalogue();
 const Analysis& analysis(const std::string& name);  // throws std::out_of_range naming it
 

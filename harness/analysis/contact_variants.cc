@@ -66,9 +66,28 @@ Scene ContactVariants::with_flight(double flight, double after) const {
   return scene;
 }
 
-std::unique_ptr<Prepared> ContactVariants::prepare(const Scene& scene, const ContactContender& contender) const {
-  auto changed = std::make_shared<Model>(body_.scene_model);
+namespace {
+
+std::shared_ptr<Model> with_scene(const Model& model, const Scene& scene) {
+  auto changed = std::make_shared<Model>(model);
   changed->scene = std::make_shared<const Scene>(scene);
+  return changed;
+}
+
+std::shared_ptr<const FloatingBasis> basis_of(const Model& model, const Modes& all, const ContactContender& contender) {
+  return std::make_shared<const FloatingBasis>(
+      floating_basis(model, leading(all, contender.modes), contender.method == "static-correction"));
+}
+
+}  // namespace
+
+std::shared_ptr<const FloatingBasis> ContactVariants::basis(const Scene& scene,
+                                                            const ContactContender& contender) const {
+  return basis_of(*with_scene(body_.scene_model, scene), body_.modes, contender);
+}
+
+std::unique_ptr<Prepared> ContactVariants::prepare(const Scene& scene, const ContactContender& contender) const {
+  const auto changed = with_scene(body_.scene_model, scene);
   Settings settings;
   if (contender.modes < 0) {
     settings.relative_tolerance = scene.truth.relative_tolerance;
@@ -77,11 +96,8 @@ std::unique_ptr<Prepared> ContactVariants::prepare(const Scene& scene, const Con
     return std::make_unique<Keeping>(changed, std::move(prepared));
   }
   settings.time_step = contender.time_step;
-  const bool corrected = contender.method == "static-correction";
-  const Modes modes = leading(body_.modes, contender.modes);
-  auto basis = std::make_shared<const FloatingBasis>(floating_basis(*changed, modes, corrected));
-  return std::make_unique<Keeping>(
-      changed, prepare_floating(std::move(basis), context_.catalogue.integrator("exact"), settings));
+  return std::make_unique<Keeping>(changed, prepare_floating(basis_of(*changed, body_.modes, contender),
+                                                             context_.catalogue.integrator("exact"), settings));
 }
 
 Trajectory ContactVariants::simulate(const Scene& scene, const ContactContender& contender) const {

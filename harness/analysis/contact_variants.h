@@ -26,6 +26,8 @@ class ContactVariants {
   // meets.
   Scene with_flight(double flight, double after) const;
 
+  // Of a contender with modes.
+  std::shared_ptr<const FloatingBasis> basis(const Scene& scene, const ContactContender& contender) const;
   std::unique_ptr<Prepared> prepare(const Scene& scene, const ContactContender& contender) const;
   Trajectory simulate(const Scene& scene, const ContactContender& contender) const;  // at its sample times
 

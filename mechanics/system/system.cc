@@ -69,6 +69,8 @@ const char* to_string(Status status) {
       return "no_convergence";
     case Status::too_many_steps:
       return "too_many_steps";
+    case Status::unstable:
+      return "unstable";
   }
   return "unknown";
 }

@@ -53,7 +53,7 @@ struct Work {
   long steps = 0, rejected = 0, factorisations = 0, solves = 0, load_evaluations = 0;
 };
 
-enum class Status { ok, not_finite, no_convergence, too_many_steps };
+enum class Status { ok, not_finite, no_convergence, too_many_steps, unstable };  // unstable: energy grew
 const char* to_string(Status status);
 
 // States at the times asked for. Where status is not ok, columns from n_valid on are not to be used.

@@ -1,5 +1,6 @@
 #include "modal/contact/contact_pair.h"
 #include "modal/contact/reach.h"
+#include "modal/contact/sample_tables.h"
 
 namespace mb {
 
@@ -16,8 +17,9 @@ class FlatPair final : public ContactPair {
         contact_(contact),
         normal_(contact.surface.pose.orientation * Vector3d::UnitZ()),
         reach_(contact),
-        Phi_(contact.samples.Phi.transpose()),
-        Psi_(contact.samples.Psi.transpose()),
+        tables_(tables_of(contact)),
+        Phi_(tables_->Phi),
+        Psi_(tables_->Psi),
         rows_(Phi_.rows(), n_samples()),
         static_rows_(Psi_.rows(), n_samples()),
         pushing_(Psi_.rows(), n_samples()) {
@@ -152,7 +154,8 @@ class FlatPair final : public ContactPair {
   const SampledContact& contact_;
   Vector3d normal_, normal_in_body_ = Vector3d::Zero();
   Reach reach_;
-  MatrixXd Phi_, Psi_;           // r x 3 m, n_s x 3 m: what belongs to a sample stands together
+  std::shared_ptr<const SampleTables> tables_;
+  const MatrixXd &Phi_, &Psi_;   // r x 3 m, n_s x 3 m: what belongs to a sample stands together
   MatrixXd rows_, static_rows_;  // r, n_s by place in the list
   MatrixXd pushing_;             // n_s by place: static_rows_ by what their forces lose with the gap
   VectorXd height_;              // [m] n_b . X_i by place, as all that follows

@@ -8,6 +8,7 @@
 #include "mechanics/rigid/inertia.h"
 #include "modal/bases/eigenmodes.h"
 #include "modal/contact/contact_shapes.h"
+#include "modal/contact/sample_tables.h"
 #include "modal/methods/projection.h"
 
 namespace mb {
@@ -16,7 +17,6 @@ namespace {
 
 constexpr double finest = 0.5, grading = 0.35;  // [-] of the contact's radius; of the distance
 constexpr int points_per_cell_edge = 2;
-constexpr double reach = 0.7;  // [-] of the extent: what lies farther from all first touches never touches
 
 // Of the elastic modes at the evaluation points inside and on the surface, about half the weight to either.
 Regression polynomials(const BodyModel& mesh, const MatrixXd& Phi_at_points) {
@@ -34,7 +34,7 @@ SurfaceSamples samples(const Body& body, const FullModel& full, const Meeting& m
                        const MatrixXd& Psi) {
   const double l = extent(body.shape);
   const Grading sizes{std::min(finest * meeting.size.radius, l / 8), l / 8, grading, points_per_cell_edge};
-  GradedRule rule = graded_rule(body.shape, {meeting.X}, sizes, reach * l);
+  GradedRule rule = graded_rule(body.shape, {meeting.X}, sizes);
   MatrixXd at = Phi.at(rule.points), static_at(at.rows(), Psi.cols());
   if (Psi.cols() > 0) static_at = full.displacement_at(rule.points) * Psi;
   return {std::move(rule.points), std::move(rule.weights), std::move(at), std::move(static_at)};
@@ -67,6 +67,7 @@ std::vector<SampledContact> sampled_contacts(const Model& model, const Touchdown
     all.push_back(
         {pair.law == ContactLaw::hertz ? lumped(full, surface, Phi, Psi) : samples(body, full, meeting, geometry, Psi),
          surface, law_of(pair, meeting.size)});
+    all.back().tables = std::make_shared<const SampleTables>(sample_tables(all.back().samples));
   }
   return all;
 }
@@ -113,20 +114,18 @@ FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static
   return basis;
 }
 
+ImpactPlan impact_plan(const FloatingBasis& basis, ContactScheme scheme, double step) {
+  const Body& body = basis.scene->bodies.front();
+  return {basis.body, body.shape, basis.geometry.basis,        basis.bounds, basis.start,
+          scheme,     step,       body.theory == Theory::solid};
+}
+
 namespace {
 
 class PreparedFloating final : public Prepared {
  public:
   PreparedFloating(std::shared_ptr<const FloatingBasis> basis, ContactScheme scheme, double step)
-      : basis_(std::move(basis)),
-        plan_{basis_->body,
-              basis_->scene->bodies.front().shape,
-              basis_->geometry.basis,
-              basis_->bounds,
-              basis_->start,
-              scheme,
-              step,
-              basis_->scene->bodies.front().theory == Theory::solid} {}
+      : basis_(std::move(basis)), plan_(impact_plan(*basis_, scheme, step)) {}
 
   Trajectory simulate(const Sampling& sampling) const override {
     if (sampling.shutter != 0) throw std::invalid_argument("no exact means in contact");

@@ -29,6 +29,9 @@ FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static
 // outlive it.
 void answer_in_contact(Reduction& reduction, const Model& model, const Modes& modes, bool static_contact);
 
+// step [s] > 0, of steps in contact.
+ImpactPlan impact_plan(const FloatingBasis& basis, ContactScheme scheme, double step);
+
 // As Reduction::in_contact. The time step of the settings is the step in contact.
 std::unique_ptr<Prepared> prepare_floating(std::shared_ptr<const FloatingBasis> basis, const Integrator& integrator,
                                            const Settings& settings);

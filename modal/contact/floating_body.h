@@ -9,6 +9,7 @@
 // what rigid motion its supports leave is among its modes (lambda = 0).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "mechanics/contact/law.h"
@@ -25,10 +26,13 @@ struct SurfaceSamples {
   MatrixXd Psi;  // [m] 3 m x n_s
 };
 
+struct SampleTables;  // sample_tables.h
+
 struct SampledContact {
   SurfaceSamples samples;
   RigidSurface surface;  // in the world
   PenaltyLaw law;
+  std::shared_ptr<const SampleTables> tables = nullptr;  // of these samples; none: each run makes its own
 };
 
 struct FloatingBody {

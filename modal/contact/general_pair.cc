@@ -1,5 +1,6 @@
 #include "modal/contact/contact_pair.h"
 #include "modal/contact/reach.h"
+#include "modal/contact/sample_tables.h"
 
 namespace mb {
 
@@ -11,8 +12,9 @@ class GeneralPair final : public ContactPair {
       : body_(body),
         contact_(contact),
         reach_(contact),
-        Phi_(contact.samples.Phi.transpose()),
-        Psi_(contact.samples.Psi.transpose()),
+        tables_(tables_of(contact)),
+        Phi_(tables_->Phi),
+        Psi_(tables_->Psi),
         x_(3, contact.samples.w.size()),
         v_(3, contact.samples.w.size()) {}
 
@@ -109,8 +111,9 @@ class GeneralPair final : public ContactPair {
   const FloatingBody& body_;
   const SampledContact& contact_;
   Reach reach_;
-  MatrixXd Phi_, Psi_;  // r x 3 m, n_s x 3 m
-  Matrix3Xd x_, v_;     // of the samples in reach, in their order
+  std::shared_ptr<const SampleTables> tables_;
+  const MatrixXd &Phi_, &Psi_;  // r x 3 m, n_s x 3 m
+  Matrix3Xd x_, v_;             // of the samples in reach, in their order
   Index n_ = 0;
   const BodyState* state_ = nullptr;
 };

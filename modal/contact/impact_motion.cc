@@ -4,15 +4,17 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/contact/first_touch_support.h"
 #include "modal/contact/body_flight.h"
 #include "modal/contact/next_touch.h"
+#include "modal/contact/soundness.h"
 
 namespace mb {
 
 namespace {
 
 constexpr long max_steps = 20'000'000;
-constexpr int finite_every = 64;                        // steps
+constexpr int look_every = 64;                          // steps
 constexpr int least_patience = 2, most_patience = 1024; /* steps without touch before a body counts as flying */
 constexpr double worthwhile = 32;                       // steps that a search for the next touch is worth
 
@@ -40,7 +42,10 @@ BodyState between(const BodyState& a, const BodyState& b, double h, double x) {
 class Run {
  public:
   Run(const ImpactPlan& plan, const VectorXd& times)
-      : plan_(plan), times_(times), stepper_(plan.body, plan.scheme, plan.step) {
+      : plan_(plan),
+        times_(times),
+        stepper_(plan.body, plan.scheme, plan.step),
+        soundness_(plan.body, circumradius(plan.shape)) {
     const Index n_t = times.size();
     motion_.contact = {Matrix3Xd::Zero(3, n_t), Matrix3Xd::Zero(3, n_t), VectorXd::Zero(n_t), VectorXd::Zero(n_t), {}};
     motion_.energy = VectorXd::Zero(n_t);
@@ -54,6 +59,7 @@ class Run {
     if (!plan_.flies) touch_and_go(t, now, end);
     for (bool leaving = false; more() && motion_.status == Status::ok; leaving = true) {
       const BodyFlight flight(plan_.body, now.body, t);
+      motion_.flights.push_back({t, now.body});
       const auto touch = next_touch(plan_, flight, end, leaving);
       fly(flight, touch ? touch->t : end, now);
       if (!touch) break;
@@ -90,6 +96,7 @@ class Run {
       const double energy = mechanical_energy(plan_.body, body);
       record(std::move(body), Vector3d::Zero(), since, 0, energy);
     }
+    n_sound_ = motion_.states.size();
   }
 
   void note(double t, const ContactState& state) {
@@ -105,17 +112,15 @@ class Run {
     double t = start;
     int n_clear = 0, n_parting = 0, patience = patience_;  // steps in succession
     bool pressed = now.load.least_gap < 0;
+    soundness_.begin(now);
     for (long i = 0; t < end; ++i) {
       before = now;
       if (!stepper_.advance(now) || motion_.work.steps == max_steps) {
+        if (!sound(before)) return t;
         motion_.status = motion_.work.steps == max_steps ? Status::too_many_steps : Status::no_convergence;
         return t;
       }
       ++motion_.work.steps;
-      if (i % finite_every == 0 && !is_finite(now.body)) {
-        motion_.status = Status::not_finite;
-        return t;
-      }
       const double t_before = t;
       t = start + static_cast<double>(i + 1) * plan_.step;
       note(t, now);
@@ -125,13 +130,23 @@ class Run {
       n_clear = clear ? n_clear + 1 : 0;
       n_parting = parting ? n_parting + 1 : 0;
       pressed = pressed || !clear;
+      if (i % look_every == 0 && !sound(now)) return t;
+      if (!pressed) soundness_.begin(now);
       if (!plan_.flies || n_parting < least_patience || n_clear < patience) continue;
-      if (!is_finite(now.body)) motion_.status = Status::not_finite;
-      if (motion_.status != Status::ok || pressed || !comes_in(now.body, t)) return t;
+      if (!sound(now) || pressed || !comes_in(now.body, t)) return t;
       n_clear = 0;
       patience = std::min(2 * patience, most_patience);
     }
+    sound(now);
     return t;
+  }
+
+  // States since the last look are given up where it finds the motion unsound.
+  bool sound(const ContactState& now) {
+    motion_.status = soundness_(now);
+    if (motion_.status == Status::ok) n_sound_ = motion_.states.size();
+    motion_.states.resize(n_sound_);
+    return motion_.status == Status::ok;
   }
 
   // Whether the surface of a body of which no sample has pressed as yet goes on into an obstacle: it is one touch.
@@ -155,6 +170,8 @@ class Run {
   const ImpactPlan& plan_;
   const VectorXd& times_;
   ContactStepper stepper_;
+  Soundness soundness_;
+  size_t n_sound_ = 0;  // states
   TouchLog log_;
   ImpactMotion motion_;
   int patience_ = least_patience;  // doubled where flights turn out too short to be worth it: surfaces that chatter

@@ -24,11 +24,17 @@ struct ImpactPlan {
   bool flies = true;
 };
 
+struct FlightBegun {
+  double start; /* [s] */
+  BodyState from;
+};
+
 struct ImpactMotion {
-  std::vector<BodyState> states;  // at the times asked for; valid ones
-  ContactHistory contact;         // at the same times
-  VectorXd energy;                // [J] mechanical and stored
-  Work work;                      // steps: in contact; load evaluations: of contact, in closed form or steps
+  std::vector<BodyState> states;     // at the times asked for; valid ones
+  ContactHistory contact;            // at the same times
+  VectorXd energy;                   // [J] mechanical and stored
+  std::vector<FlightBegun> flights;  // whose end was searched for
+  Work work;                         // steps: in contact; load evaluations: of contact, in closed form or steps
   Status status = Status::ok;
 };
 

@@ -152,7 +152,7 @@ TEST(Impacts, WhatIsNoMotionIsRefusedOrReported) {
   plan.start.v.z() = -1;
   plan.body.contacts[0].law.stiffness = 1e300;  // blows up at the first step that presses
   const ImpactMotion blown = impact_motion(plan, times);
-  EXPECT_NE(blown.status, Status::ok);
+  EXPECT_TRUE(blown.status == Status::unstable || blown.status == Status::not_finite) << to_string(blown.status);
   EXPECT_TRUE(blown.states.empty());
 }
 

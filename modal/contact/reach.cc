@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "modal/contact/sample_tables.h"
+
 namespace mb {
 
 namespace {
@@ -17,9 +19,9 @@ constexpr Index n_spare = 4;   // [-] list by samples that press
 Reach::Reach(const SampledContact& contact)
     : n_samples_(contact.samples.X.cols()),
       longest_(n_samples_ > 0 ? std::sqrt(contact.samples.X.colwise().squaredNorm().maxCoeff()) : 0),
-      largest_q_(largest_displacements(contact.samples.Phi)),
-      largest_s_(largest_displacements(contact.samples.Psi)),
       order_(static_cast<size_t>(n_samples_)) {
+  const auto tables = tables_of(contact);
+  largest_q_ = tables->largest_q, largest_s_ = tables->largest_s;
   std::iota(order_.begin(), order_.end(), Index{0});
 }
 
@@ -62,15 +64,6 @@ bool Reach::covers(const VectorXd& s) {
   const bool covered = way <= margin_;
   margin_ = std::max(2 * way, 0.8 * margin_);
   return covered;
-}
-
-VectorXd largest_displacements(const MatrixXd& shapes) {
-  VectorXd largest(shapes.cols());
-  for (Index k = 0; k < shapes.cols(); ++k)
-    largest[k] = shapes.rows() == 0
-                     ? 0
-                     : std::sqrt(shapes.col(k).reshaped(3, shapes.rows() / 3).colwise().squaredNorm().maxCoeff());
-  return largest;
 }
 
 }  // namespace mb

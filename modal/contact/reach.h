@@ -54,7 +54,4 @@ class Reach {
   long n_lists_ = 0;
 };
 
-// Bounds [m] of each shape's displacement over all samples: max_i |Phi_ik|.
-VectorXd largest_displacements(const MatrixXd& shapes);
-
 }  // namespace mb

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "modal/contact/floating_bodies_test.h"
+#include "modal/contact/sample_tables.h"
 
 namespace mb {
 namespace {
