@@ -23,7 +23,7 @@ inline Vocabulary vocabulary() {
            "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact-model", "contact-time",
            "force-history", "flight-cost"},
           {"budget", "aliasing", "frequency-response", "probe-extremes", "damping"},
-          {"contact-stiffness", "contact-model", "contact-time", "force-history", "flight-cost"}};
+          {"contact-stiffness", "contact", "flight-cost"}};
 }
 
 inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }

@@ -68,9 +68,7 @@ std::vector<Finding> probe_extremes(const AnalysisContext& context);
 std::vector<Finding> collision_cost(const AnalysisContext& context);
 std::vector<Finding> contact_forces(const AnalysisContext& context);
 std::vector<Finding> contact_stiffness(const AnalysisContext& context);
-std::vector<Finding> contact_model(const AnalysisContext& context);
-std::vector<Finding> contact_time(const AnalysisContext& context);
-std::vector<Finding> force_history(const AnalysisContext& context);
+std::vector<Finding> contact(const AnalysisContext& context);
 std::vector<Finding> flight_cost(const AnalysisContext& context);
 
 }  // namespace mb

@@ -28,10 +28,8 @@ const std::vector<Analysis>& analysis_catalogue() {
       {"contact-forces", "errors of contact forces from vertices, quadratures and curvatures", &contact_forces},
       {"contact-stiffness", "what halving and doubling the stiffness of the contact layer does", &contact_stiffness,
        touching},
-      {"contact-model", "the contact layer of each obstacle, and modes as the polynomials that contact sees",
-       &contact_model, touching},
-      {"contact-time", "where the time of a modal run in contact goes", &contact_time, touching},
-      {"force-history", "contact force over time, of truth and modes", &force_history, touching},
+      {"contact", "its layer, the polynomials and samples that carry it, its force over time, where the time goes",
+       &contact, touching},
       {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching}};
   return all;
 }

@@ -2,15 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/analysis/analyses.h"
-#include "harness/analysis/contact_variants.h"
+#include "harness/analysis/contact_tables.h"
 
 namespace mb {
 
 namespace {
 
 Finding meeting_table() {
-  return table("contact-model", "contact-meetings", "How the body comes to its obstacles",
+  return table("contact", "contact-meetings", "How the body comes to its obstacles",
                "Of the rigid body, in closed form, before anything deforms; sizes are Hertz's, of a flat end a bar's. "
                "Stiffness `auto` is 100 E*/a: the layer then adds 0.3 % to the approach of a sphere.",
                {{"obstacle", ""},
@@ -29,7 +28,7 @@ Finding meeting_table() {
 
 Finding geometry_table() {
   return table(
-      "contact-model", "contact-geometry", "Modes as polynomials, where contact sees them",
+      "contact", "contact-geometry", "Modes as polynomials, where contact sees them",
       "Every mode is fitted by monomials up to the degree offered; residuals are over the mode's own root mean "
       "square, and its largest value; coefficients below 1e-10 of it in sum are dropped. Condition: of the "
       "scaled, weighted monomials. Samples: points on the exact surface.",
@@ -46,7 +45,10 @@ Finding geometry_table() {
        {"samples", ""}});
 }
 
-void add_meetings(Finding& found, const Scene& scene) {
+}  // namespace
+
+Finding contact_meetings(const Scene& scene) {
+  Finding found = meeting_table();
   for (const Meeting& meeting : touchdown(scene, scene.bodies.front()).meetings) {
     const ContactPair& pair = scene.contacts[meeting.contact];
     const ContactSize& size = meeting.size;
@@ -56,7 +58,10 @@ void add_meetings(Finding& found, const Scene& scene) {
                           lumped ? not_applicable() : number(size.stiffness * size.radius / size.modulus), meeting.t,
                           size.speed, size.approach, size.duration, size.force});
   }
+  return found;
 }
+
+namespace {
 
 void add_geometry(Finding& found, const ContactContender& of, const FloatingBasis& basis) {
   const Regression& fit = basis.geometry;
@@ -78,48 +83,10 @@ void add_geometry(Finding& found, const ContactContender& of, const FloatingBasi
 
 }  // namespace
 
-std::vector<Finding> contact_model(const AnalysisContext& context) {
-  Finding meetings = meeting_table(), geometry = geometry_table();
-  add_meetings(meetings, *context.scene);
-  const ContactVariants variants(context);
-  for (const int r : mode_counts(context)) {
-    const ContactContender of{"static-correction", r};
-    add_geometry(geometry, of, *variants.basis(*context.scene, of));
-  }
-  return {meetings, geometry};
-}
-
-// The contact force over time, of truth and modes.
-std::vector<Finding> force_history(const AnalysisContext& context) {
-  Finding found =
-      table("force-history", "force-history", "Contact force over time",
-            "Along the direction of the truth's largest force, at the samples of the study around the first "
-            "touch; the modal answers with the least step of the study.",
-            {{"contender", ""}, {"modes r", ""}, {"time", "s"}, {"normal force", "N"}});
-  const Trajectory& truth = context.truth.exact ? *context.truth.exact : context.truth.finer;
-  const auto& contact = truth.bodies.front().contact;
-  Index peak = 0;
-  if (contact.touches.empty() || !(contact.force.colwise().norm().maxCoeff(&peak) > 0)) return {found};
-  const Vector3d along = contact.force.col(peak).normalized();
-  const Touch& first = contact.touches.front();
-  const double length = std::isfinite(first.end) ? first.end - first.start : context.scene->duration - first.start;
-  const auto add = [&](const std::string& name, FindingCell r, const Trajectory& answer) {
-    if (answer.status != Status::ok) return;
-    for (Index k = 0; k < answer.t.size(); ++k) {
-      if (answer.t[k] < first.start - 0.2 * length || answer.t[k] > first.start + 1.5 * length) continue;
-      found.rows.push_back({name, r, answer.t[k], along.dot(answer.bodies.front().contact.force.col(k))});
-    }
-  };
-  add(context.truth.exact ? "truth, exact" : "truth, finer", not_applicable(), truth);
-  const ContactVariants variants(context);
-  for (ContactContender of : variants.contenders()) {
-    if (of.modes < 0) continue;
-    for (const int r : few(mode_counts(context), 2)) {
-      of.modes = r;
-      add(of.method, count(r), variants.simulate(*context.scene, of));
-    }
-  }
-  return {found};
+Finding contact_geometry(const std::vector<ContactBasis>& bases) {
+  Finding found = geometry_table();
+  for (const auto& [of, basis] : bases) add_geometry(found, of, *basis);
+  return found;
 }
 
 }  // namespace mb

@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/analysis/analyses.h"
-#include "harness/analysis/contact_variants.h"
+#include "harness/analysis/contact_tables.h"
 #include "harness/measure.h"
 #include "modal/contact/contact_load.h"
 #include "modal/contact/next_touch.h"
@@ -13,7 +12,7 @@ namespace mb {
 namespace {
 
 Finding part_table() {
-  return table("contact-time", "contact-time", "Where the time of a run goes",
+  return table("contact", "contact-time", "Where the time of a run goes",
                "The motion alone, nothing reconstructed. Search: for the next touch of surfaces, in closed form, once "
                "a flight. Loads: "
                "gaps and law at the samples that can press, their sums, and the balance of static shapes; timed over "
@@ -31,7 +30,7 @@ Finding part_table() {
 
 Finding run_table() {
   return table(
-      "contact-time", "contact-time-runs", "What a run takes",
+      "contact", "contact-time-runs", "What a run takes",
       "The largest step of the study whose motion stays stable. Visited: samples of the surface that a contact "
       "evaluation looks at, of all there are. The real-time factor is simulated over computing time of the "
       "motion, and of the motion with displacements at all evaluation points for every sample of the study.",
@@ -97,34 +96,29 @@ Loads loads_over(const ImpactPlan& plan, const std::vector<BodyState>& states) {
 class Account {
  public:
   Account(const AnalysisContext& context, Finding& parts, Finding& runs)
-      : variants_(context),
-        scene_(*context.scene),
-        exact_(context.catalogue.integrator("exact")),
-        parts_(parts),
-        runs_(runs) {}
+      : scene_(*context.scene), exact_(context.catalogue.integrator("exact")), parts_(parts), runs_(runs) {}
 
-  void add(const ContactContender& asked) {
-    const auto basis = variants_.basis(scene_, asked);
+  void add(const ContactBasis& asked) {
     std::vector<double> steps = scene_.study.contact_steps;
     std::ranges::sort(steps, std::greater<>());
     for (const double h : steps) {
-      const ImpactPlan plan = impact_plan(*basis, ContactScheme::exact, h);
+      const ImpactPlan plan = impact_plan(*asked.basis, ContactScheme::exact, h);
       const Steps run = steps_of(plan, scene_.duration);
       if (run.motion.status != Status::ok && h > steps.back()) continue;
-      account(asked, *basis, plan, run);
+      account(asked, plan, run);
       return;
     }
   }
 
  private:
-  void account(const ContactContender& of, const FloatingBasis& basis, const ImpactPlan& plan, const Steps& run) {
+  void account(const ContactBasis& asked, const ImpactPlan& plan, const Steps& run) {
     const VectorXd end = VectorXd::Constant(1, scene_.duration);
     const Timing whole = measure([&] { impact_motion(plan, end); });
     const double search = measure([&] { search_again(plan, run.flights, scene_.duration); }).median;
     const Loads loads = loads_over(plan, run.motion.states);
     Settings settings;
     settings.time_step = plan.step;
-    const auto prepared = prepare_floating(std::make_shared<const FloatingBasis>(basis), exact_, settings);
+    const auto prepared = prepare_floating(asked.basis, exact_, settings);
     const Sampling all{.t = sample_times(scene_), .strain = false};
     const double shown = measure([&] { prepared->simulate(all); }).median;
     const double n_calls = static_cast<double>(run.motion.states.size()) - 1,
@@ -134,7 +128,7 @@ class Account {
     const double sum = search + loads.timing.median + stepping + reconstruction;
     const double r = static_cast<double>(plan.body.n_modes());
     const auto part = [&](const char* name, double calls, double seconds) {
-      parts_.rows.push_back({of.method, r, plan.step, name, calls, seconds, seconds / calls, seconds / sum});
+      parts_.rows.push_back({asked.of.method, r, plan.step, name, calls, seconds, seconds / calls, seconds / sum});
     };
     part("search for touches", static_cast<double>(run.flights.size()), search);
     part("loads of contact", n_calls, loads.timing.median);
@@ -142,12 +136,11 @@ class Account {
     part("reconstruction", static_cast<double>(all.t.size()), reconstruction);
     Index n_samples = 0;
     for (const SampledContact& contact : plan.body.contacts) n_samples += contact.samples.w.size();
-    runs_.rows.push_back({of.method, r, count(plan.body.n_static()), plan.step, to_string(run.motion.status), n_steps,
-                          count(n_samples), loads.visited, whole.median, whole.spread, scene_.duration / whole.median,
-                          scene_.duration / shown});
+    runs_.rows.push_back({asked.of.method, r, count(plan.body.n_static()), plan.step, to_string(run.motion.status),
+                          n_steps, count(n_samples), loads.visited, whole.median, whole.spread,
+                          scene_.duration / whole.median, scene_.duration / shown});
   }
 
-  ContactVariants variants_;
   const Scene& scene_;
   const Integrator& exact_;
   Finding &parts_, &runs_;
@@ -155,11 +148,10 @@ class Account {
 
 }  // namespace
 
-std::vector<Finding> contact_time(const AnalysisContext& context) {
+std::vector<Finding> contact_times(const std::vector<ContactBasis>& bases, const AnalysisContext& context) {
   Finding parts = part_table(), runs = run_table();
   Account account(context, parts, runs);
-  for (const int r : few(mode_counts(context), 3))
-    for (const char* method : {"eigenmodes", "static-correction"}) account.add({method, r});
+  for (const ContactBasis& basis : bases) account.add(basis);
   return {runs, parts};
 }
 

@@ -30,12 +30,21 @@ ContactStepper::ContactStepper(const FloatingBody& body, ContactScheme scheme, d
 
 void ContactStepper::touch(ContactState& state) {
   loads_.touch();
+  has_before_ = false;
   look(state);
 }
 
 void ContactStepper::look(ContactState& state) {
   loads_(state.body, angular_velocity(body_, state.body), state.load);
   ++n_evaluations_;
+}
+
+void ContactStepper::look_ahead(ContactState& state) {
+  s_ = state.body.s;
+  if (has_before_) state.body.s += s_ - s_before_;
+  s_before_.swap(s_);
+  has_before_ = true;
+  look(state);
 }
 
 void ContactStepper::kick(ContactState& state, double tau) const {
@@ -73,7 +82,7 @@ void ContactStepper::drift(BodyState& b) const {
 bool ContactStepper::advance_exactly(ContactState& state) {
   kick(state, h_ / 2);
   drift(state.body);
-  look(state);
+  look_ahead(state);
   kick(state, h_ / 2);
   return state.load.converged;
 }
@@ -88,7 +97,7 @@ bool ContactStepper::advance_by_euler(ContactState& state) {
     b.c += h_ * b.v;
     turn(b, h_);
   }
-  look(state);
+  look_ahead(state);
   return state.load.converged;
 }
 

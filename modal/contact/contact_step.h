@@ -39,6 +39,7 @@ class ContactStepper {
 
  private:
   void look(ContactState& state);
+  void look_ahead(ContactState& state);  // static shapes being sought from where the last two steps point to
   void kick(ContactState& state, double tau) const;  // by the contact forces alone
   void drift(BodyState& body) const;                 // over h, without contact
   void turn(BodyState& body, double tau) const;
@@ -53,7 +54,8 @@ class ContactStepper {
   Eigen::Matrix3d inverse_inertia_;
   VectorXd lambda_, c_;                 // of modes
   VectorXd C_, S_, C_dot_, S_dot_, P_;  // of modes over h
-  VectorXd scratch_;
+  VectorXd scratch_, s_, s_before_;     // s at the start of this step and the last, where there was one
+  bool has_before_ = false;
   long n_evaluations_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace {
 //   gap_i = n . (c - a) + n_b . X_i + (n_b^T Phi_i) q + (n_b^T Psi_i) s,    n_b = Q^T n,   a a point of the plane
 //
 // The rows n_b^T Phi_i and n_b^T Psi_i stand together in the order of the samples in reach, so that gaps and forces of
-// all of them are products with two narrow matrices.
+// all of them are products with two narrow matrices; of static shapes, a few, shape by shape: long sums.
 class FlatPair final : public ContactPair {
  public:
   FlatPair(const FloatingBody& body, const SampledContact& contact)
@@ -21,9 +21,9 @@ class FlatPair final : public ContactPair {
         Phi_(tables_->Phi),
         Psi_(tables_->Psi),
         rows_(Phi_.rows(), n_samples()),
-        static_rows_(Psi_.rows(), n_samples()),
-        pushing_(Psi_.rows(), n_samples()) {
-    for (VectorXd* x : {&height_, &gap_, &rate_, &deformed_, &force_}) x->resize(n_samples());
+        static_rows_(n_samples(), Psi_.rows()),
+        pushing_(n_samples(), Psi_.rows()) {
+    for (VectorXd* x : {&height_, &gap_, &rate_, &deformed_, &force_, &slope_}) x->resize(n_samples());
   }
 
   void look(const BodyState& state, const Vector3d& Omega) override {
@@ -54,10 +54,12 @@ class FlatPair final : public ContactPair {
       const auto [elastic, by_gap] = presses ? layer(law, deformed_[k]) : Layer{0, 0};
       const double area = contact_.samples.w[reach_[k]] * damped;
       force_[k] = area * elastic;
-      pushing_.col(k) = -area * by_gap * static_rows_.col(k);
+      slope_[k] = -area * by_gap;
     }
-    f_s.noalias() += static_rows_.leftCols(n_) * force_.head(n_);
-    H.noalias() += pushing_.leftCols(n_) * static_rows_.leftCols(n_).transpose();
+    const auto rows = static_rows_.topRows(n_);
+    pushing_.topRows(n_) = slope_.head(n_).asDiagonal() * rows;
+    f_s.noalias() += rows.transpose() * force_.head(n_);
+    H.noalias() += pushing_.topRows(n_).transpose().lazyProduct(rows);
   }
 
   bool covers(const VectorXd& s) override { return reach_.covers(s); }
@@ -94,7 +96,7 @@ class FlatPair final : public ContactPair {
     VectorXd G(K.rows()), G_rate(K.rows());  // by place and by rate: that of static shapes is left out
     for (Index k = 0; k < n_; ++k) {
       const Index i = reach_[k];
-      const double gap = gap_[k] + static_rows_.col(k).dot(s), damped = 1 - law.damping * rate_[k];
+      const double gap = gap_[k] + static_rows_.row(k).dot(s), damped = 1 - law.damping * rate_[k];
       if (!(gap < 0 && damped > 0)) continue;
       if (body_.free) {
         G.head<3>() = normal_;
@@ -103,7 +105,7 @@ class FlatPair final : public ContactPair {
         G_rate.segment<3>(3) = (state_->Q * place(i)).cross(normal_);
       }
       G.segment(n_frame, r) = rows_.col(k);
-      G.tail(s.size()) = static_rows_.col(k);
+      G.tail(s.size()) = static_rows_.row(k);
       G_rate.segment(n_frame, r) = rows_.col(k);
       G_rate.tail(s.size()).setZero();
       const auto [elastic, by_gap] = layer(law, gap);
@@ -124,7 +126,7 @@ class FlatPair final : public ContactPair {
     return (x.transpose() * normal_in_body_).array() + height;
   }
   void deform(const VectorXd& s) {
-    deformed_.head(n_).noalias() = static_rows_.leftCols(n_).transpose() * s;
+    deformed_.head(n_).noalias() = static_rows_.topRows(n_) * s;
     deformed_.head(n_) += gap_.head(n_);
   }
   Vector3d place(Index i) const {  // without static shapes, whose rate is left out, too
@@ -145,7 +147,7 @@ class FlatPair final : public ContactPair {
     for (; n_gathered_ < n_; ++n_gathered_) {
       const Index i = reach_[n_gathered_];
       rows_.col(n_gathered_).noalias() = Phi_.middleCols(3 * i, 3) * normal_in_body_;
-      static_rows_.col(n_gathered_).noalias() = Psi_.middleCols(3 * i, 3) * normal_in_body_;
+      static_rows_.row(n_gathered_).noalias() = normal_in_body_.transpose() * Psi_.middleCols(3 * i, 3).transpose();
       height_[n_gathered_] = normal_in_body_.dot(contact_.samples.X.col(i));
     }
   }
@@ -155,12 +157,13 @@ class FlatPair final : public ContactPair {
   Vector3d normal_, normal_in_body_ = Vector3d::Zero();
   Reach reach_;
   std::shared_ptr<const SampleTables> tables_;
-  const MatrixXd &Phi_, &Psi_;   // r x 3 m, n_s x 3 m: what belongs to a sample stands together
-  MatrixXd rows_, static_rows_;  // r, n_s by place in the list
-  MatrixXd pushing_;             // n_s by place: static_rows_ by what their forces lose with the gap
-  VectorXd height_;              // [m] n_b . X_i by place, as all that follows
-  VectorXd gap_, rate_;          // but for the static shapes
-  VectorXd deformed_, force_;    // [m] gap with them; [N]
+  const MatrixXd &Phi_, &Psi_;      // r x 3 m, n_s x 3 m: what belongs to a sample stands together
+  MatrixXd rows_;                   // r by place in the list
+  MatrixXd static_rows_, pushing_;  // place by n_s; the latter times what forces lose with the gap
+  VectorXd height_;                 // [m] n_b . X_i by place, as all that follows
+  VectorXd gap_, rate_;             // but for the static shapes
+  VectorXd deformed_, force_;       // [m] gap with them; [N]
+  VectorXd slope_;                  // [N/m] what the force loses with the gap
   Index n_ = 0, n_gathered_ = 0;
   long list_ = 0;
   const BodyState* state_ = nullptr;

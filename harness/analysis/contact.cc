@@ -1,0 +1,65 @@
+// What contact is in a case: its layer, the polynomials and samples that carry it, where the time goes, its forces.
+#include <algorithm>
+#include <cmath>
+
+#include "harness/analysis/analyses.h"
+#include "harness/analysis/contact_tables.h"
+
+namespace mb {
+
+namespace {
+
+constexpr int n_mode_counts = 3;
+
+Finding force_table() {
+  return table("contact", "force-history", "Contact force over time",
+               "Along the direction of the truth's largest force, at the samples of the study around the first touch; "
+               "the modal answers with the least step of the study.",
+               {{"contender", ""}, {"modes r", ""}, {"time", "s"}, {"normal force", "N"}});
+}
+
+}  // namespace
+
+Finding force_history(const std::vector<ContactBasis>& bases, const AnalysisContext& context) {
+  Finding found = force_table();
+  const Scene& scene = *context.scene;
+  const bool exact = context.truth.exact.has_value();
+  const Trajectory& truth = exact ? *context.truth.exact : context.truth.finer;
+  const ContactHistory& contact = truth.bodies.front().contact;
+  Index peak = 0;
+  if (contact.touches.empty() || !(contact.force.colwise().norm().maxCoeff(&peak) > 0)) return found;
+  const Vector3d along = contact.force.col(peak).normalized();
+  const Touch& first = contact.touches.front();
+  const double length = std::isfinite(first.end) ? first.end - first.start : scene.duration - first.start;
+  const auto add = [&](const std::string& name, FindingCell r, const Trajectory& answer) {
+    if (answer.status != Status::ok) return;
+    for (Index k = 0; k < answer.t.size(); ++k) {
+      if (answer.t[k] < first.start - 0.2 * length || answer.t[k] > first.start + 1.5 * length) continue;
+      found.rows.push_back({name, r, answer.t[k], along.dot(answer.bodies.front().contact.force.col(k))});
+    }
+  };
+  add(exact ? "truth, exact" : "truth, finer", not_applicable(), truth);
+  Settings settings;
+  settings.time_step = std::ranges::min(scene.study.contact_steps);
+  for (const auto& [of, basis] : bases) {
+    const auto prepared = prepare_floating(basis, context.catalogue.integrator("exact"), settings);
+    add(of.method, count(of.modes),
+        prepared->simulate({.t = sample_times(scene), .strain = false, .reconstruct = false}));
+  }
+  return found;
+}
+
+std::vector<Finding> contact(const AnalysisContext& context) {
+  const ContactVariants variants(context);
+  std::vector<ContactBasis> bases;
+  for (const int r : few(mode_counts(context), n_mode_counts))
+    for (const char* method : {"eigenmodes", "static-correction"}) {
+      const ContactContender of{method, r};
+      bases.push_back({of, variants.basis(*context.scene, of)});
+    }
+  std::vector<Finding> found{contact_meetings(*context.scene), contact_geometry(bases), force_history(bases, context)};
+  for (Finding& times : contact_times(bases, context)) found.push_back(std::move(times));
+  return found;
+}
+
+}  // namespace mb

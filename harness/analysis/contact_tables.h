@@ -1,0 +1,23 @@
+// Tables of the analysis `contact`; their columns stand in analyses.h.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "harness/analysis/contact_variants.h"
+
+namespace mb {
+
+// A contender with modes, of no step as yet, and what it is made of.
+struct ContactBasis {
+  ContactContender of;
+  std::shared_ptr<const FloatingBasis> basis;
+};
+
+Finding contact_meetings(const Scene& scene);
+Finding contact_geometry(const std::vector<ContactBasis>& bases);
+// What runs take, and of what; sampled as the scene asks for.
+std::vector<Finding> contact_times(const std::vector<ContactBasis>& bases, const AnalysisContext& context);
+Finding force_history(const std::vector<ContactBasis>& bases, const AnalysisContext& context);
+
+}  // namespace mb
