@@ -1,16 +1,21 @@
 #include "reference/impact.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "cases/contract/linear.h"
 #include "cases/contract/touchdown.h"
+#include "reference/impact_limits.h"
 
 namespace mb {
 
 namespace {
 
-constexpr double reach = 0.35;  // [-] of the body's extent: faces farther from an obstacle never touch it
+constexpr double reach = 0.35;   // [-] of the body's extent: faces that much farther than the nearest never touch
+constexpr double blown_up = 10;  // [-] energy by all that there was
 
 class PreparedImpact final : public Prepared {
  public:
@@ -22,7 +27,8 @@ class PreparedImpact final : public Prepared {
         strain_{model.bodies[0].strain, {}},
         full_(model.bodies[0].full),
         touchdown_(touchdown(*scene_, body_)),
-        system_(full_->system()) {
+        system_(full_->system()),
+        may_blow_up_(integrator.conditionally_stable) {
     if (!body_.twist.angular_velocity.isZero(0))
       throw std::invalid_argument("body '" + body_.name + "' spins: full order in contact has small rotations only");
     if (!integrator.prepare_in_contact)
@@ -47,6 +53,8 @@ class PreparedImpact final : public Prepared {
     if (stepper_) states = stepper_->run(t.tail(t.size() - n_before).array() - start_);
     answer.work = states.work;
     answer.status = states.status;
+    if (stepper_ && sampling.reconstruct && answer.status == Status::ok && t.size() > n_before)
+      answer.status = checked(states, t.tail(t.size() - n_before));
     BodyTrajectory body;
     body.contact = whole(states.contact, n_before, t.size());
     if (sampling.reconstruct) {
@@ -69,14 +77,58 @@ class PreparedImpact final : public Prepared {
   Vector3d to_axes(const Vector3d& world) const { return body_.pose.orientation.conjugate() * world; }
   Vector3d flown(double t) const { return free_ ? Vector3d(t * velocity_ + t * t / 2 * gravity_) : Vector3d::Zero(); }
 
+  // What is not met first may be met by another side of the body, once that has been turned back: of a plane the part
+  // that looks at it and comes first on any way there, of other obstacles all of the boundary.
+  double reach_to(const Meeting& meeting, const RigidSurface& seen) const {
+    const double usual = reach * extent(body_.shape);
+    if (meeting.t <= start_) return usual;
+    if (!std::holds_alternative<HalfSpace>(seen.shape)) return std::numeric_limits<double>::infinity();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < points_.cols(); ++i) nearest = std::min(nearest, gap_value(seen, points_.col(i)));
+    return usual + std::max(0.0, nearest);
+  }
+
+  // Errors are judged by what is met: of an obstacle that a rigid body would not meet, by the size of the first touch.
+  const ContactSize& size_for(const Meeting& meeting) const {
+    if (std::isfinite(meeting.t)) return meeting.size;
+    return std::ranges::min_element(touchdown_.meetings, {}, &Meeting::t)->size;
+  }
+
   Contact contact(const Meeting& meeting) const {
     const ContactPair& pair = scene_->contacts[meeting.contact];
     const Pose frame{body_.pose.to_world(flown(start_)), body_.pose.orientation};
     const RigidSurface seen = seen_from(frame, surface_met(*scene_, body_, meeting));
-    return {full_->contact_points(seen, reach * extent(body_.shape)),
+    const ContactSize& scale = size_for(meeting);
+    return {full_->contact_points(seen, reach_to(meeting, seen)),
             seen,
             law_of(pair, meeting.size),
-            {meeting.size.approach, meeting.size.speed}};
+            {scale.approach, scale.speed}};
+  }
+
+  // Throws std::runtime_error for an answer beyond what is simulated here, with what came first. One that an explicit
+  // scheme has blown up is no such answer: it has a status.
+  Status checked(const States& states, const VectorXd& t) const {
+    const MatrixXd rows = rotation_rows(system_, points_, observe(displacement_, system_.R, {}));
+    std::optional<Fault> first = large_rotation(body_, rows, {t, states.u});
+    for (size_t c = 0; c < contacts_.size(); ++c) {
+      const ContactPair& pair = scene_->contacts[touchdown_.meetings[c].contact];
+      const auto overlap = unwatched_overlap(body_, *full_, contacts_[c], pair.obstacle, {t, states.u});
+      if (overlap && (!first || overlap->t < first->t)) first = overlap;
+    }
+    if (!first) return Status::ok;
+    if (may_blow_up_ && has_blown_up(states)) return Status::unstable;
+    throw std::runtime_error(first->what);
+  }
+
+  bool has_blown_up(const States& states) const {
+    const VectorXd load = weight();
+    const double there_was = kinetic_energy(system_, system_.v0) + load.lpNorm<1>() * extent(body_.shape);
+    const auto u = states.u.rightCols(1), v = states.v.rightCols(1);
+    return !(kinetic_energy(system_, v) + strain_energy(system_, u) - load.dot(u.col(0)) <= blown_up * there_was);
+  }
+
+  VectorXd weight() const {  // [N]
+    return free_ ? VectorXd(system_.M * full_->translation(gravity_)) : VectorXd(system_.F.rowwise().sum());
   }
 
   // From displacements in the body's axes to x - X; of a body that is held, to the world's axes alone.
@@ -110,8 +162,7 @@ class PreparedImpact final : public Prepared {
   // The stepper's own; else of u and v at the times asked for.
   VectorXd energy(const States& states, const ContactHistory& contact, Index n_before) const {
     VectorXd E = VectorXd::Constant(contact.stored.size(), kinetic_energy(system_, full_system_velocity()));
-    const VectorXd weight =
-        free_ ? VectorXd(system_.M * full_->translation(gravity_)) : VectorXd(system_.F.rowwise().sum());
+    const VectorXd load = weight();
     const double mass =
         free_ ? full_->translation(Vector3d::UnitX()).dot(system_.M * full_->translation(Vector3d::UnitX())) : 0;
     const double fallen = -mass * gravity_.dot(flown(start_));
@@ -121,7 +172,7 @@ class PreparedImpact final : public Prepared {
     }
     for (Index k = 0; k < states.u.cols(); ++k)
       E[n_before + k] = kinetic_energy(system_, states.v.col(k)) + strain_energy(system_, states.u.col(k)) -
-                        weight.dot(states.u.col(k)) + fallen + contact.stored[n_before + k];
+                        load.dot(states.u.col(k)) + fallen + contact.stored[n_before + k];
     return E;
   }
   // Before the first touch the energy is that at t = 0.
@@ -134,6 +185,7 @@ class PreparedImpact final : public Prepared {
   std::shared_ptr<const FullModel> full_;
   Touchdown touchdown_;
   System system_;
+  bool may_blow_up_;
   bool free_;
   double start_;                 // [s] of the first touch, at most the duration
   Vector3d velocity_, gravity_;  // in the body's axes

@@ -2,28 +2,13 @@
 #include <algorithm>
 #include <tuple>
 
+#include "reports/case_words.h"
 #include "reports/number.h"
 #include "reports/views.h"
 #include "reports/words.h"
 
 namespace mb {
 namespace {
-
-std::string in(double value, const char* unit) { return format_setting(value) + " " + unit; }
-
-std::string describe(const Box& box) {
-  return "box of " + format_setting(box.size.x()) + " x " + format_setting(box.size.y()) + " x " +
-         in(box.size.z(), "m");
-}
-std::string describe(const Cylinder& cylinder) {
-  return "cylinder of radius " + in(cylinder.radius, "m") + " and length " + in(cylinder.length, "m");
-}
-std::string describe(const Sphere& sphere) { return "sphere of radius " + in(sphere.radius, "m"); }
-std::string describe(const Superquadric& body) {
-  return "superquadric of semi-axes " + format_setting(body.semi_axes.x()) + ", " + format_setting(body.semi_axes.y()) +
-         ", " + in(body.semi_axes.z(), "m") + " and exponents " + format_setting(body.e1) + ", " +
-         format_setting(body.e2);
-}
 
 std::string describe(const Material& material) {
   const std::string rho = ", rho = " + in(material.density, "kg/m^3");
@@ -105,16 +90,18 @@ std::string spelled_out(const std::string& metric, const Scene& scene) {
 std::string case_line(const Evaluation& evaluation, const Scene& scene) {
   std::vector<std::string> bodies, loads;
   for (const Body& body : scene.bodies) {
-    const std::string shape = std::visit([](const auto& one) { return describe(one); }, body.shape);
     // Unknowns are recorded of the scene as a whole.
     const std::string size = scene.bodies.size() == 1 ? size_of(evaluation, scene, body) : "";
-    bodies.push_back(body.name + ": " +
-                     joined({shape, describe(body.material), supports_of(body), damping_of(body),
-                             "mesh " + to_string(body.resolution) + size},
-                            "; "));
+    bodies.push_back(
+        body.name + ": " +
+        joined({describe(body.shape), describe(body.material), supports_of(body), damping_of(body),
+                (body.theory == Theory::solid ? "mesh " : "") + describe_mesh(body.resolution, body.theory) + size},
+               "; "));
   }
   for (const Load& load : scene.loads) loads.push_back(describe(load));
-  return joined({joined(bodies, ". "), loads.empty() ? "No loads" : "Loads: " + joined(loads, "; ")}, ". ") + ".";
+  const std::string contact = joined(contact_sentences(scene), ". ");
+  const std::string loading = loads.empty() ? contact.empty() ? "No loads" : "" : "Loads: " + joined(loads, "; ");
+  return joined({joined(bodies, ". "), loading, contact}, ". ") + ".";
 }
 
 std::vector<std::string> truth_sentences(const Evaluation& evaluation, const Scene& scene) {

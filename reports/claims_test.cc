@@ -7,6 +7,7 @@
 #include "reports/matrix.h"
 #include "reports/number.h"
 #include "reports/synthetic.h"
+#include "reports/verdict.h"
 
 namespace mb {
 namespace {
@@ -143,6 +144,43 @@ TEST(Claims, ASpeedUpOfPerturbedTimesIsNoMoreThanTheyLeaveOfIt) {
   EXPECT_THAT(claim(input, "C1").limits, HasSubstr("perturbed in a"));
   input.records.back().error_bar.reset();  // a single run has no range, but is as perturbed
   EXPECT_EQ(claim(input, "C1").ruling, Ruling::not_decided);
+}
+
+// The beam's full-order runs are half waves, modes themselves: what is won against them is not what the paper claims.
+TEST(Claims, CasesOfBeamTheoryAreNeitherInTheHeadlineNorInTheClaim) {
+  ReportInput input;
+  add_case(input, "beam", 1000, 500);
+  add_case(input, "solid", 3, 2);
+  input.scenes = {synthetic::scene(), synthetic::scene()};
+  input.scenes[0].name = "beam";
+  input.scenes[1].name = "solid";
+  EXPECT_EQ(claim(input, "C1").ruling, Ruling::holds);
+  EXPECT_EQ(headline_table(evaluate(input)).rows.size(), 4u);  // two cases, two targets
+  input.scenes[0].bodies[0].theory = Theory::euler_bernoulli;
+  const Evaluation evaluation = evaluate(input);
+  const Claim found = claim(input, "C1");
+  EXPECT_EQ(found.ruling, Ruling::does_not_hold);
+  EXPECT_THAT(found.measured, Not(HasSubstr("beam")));
+  EXPECT_THAT(found.limits, HasSubstr("left out: beam, of beam or plate theory"));
+  const Verdict verdict = verdict_of(evaluation);
+  EXPECT_DOUBLE_EQ(verdict.median.value(), 3);
+  EXPECT_THAT(verdict.sentences, testing::Contains(HasSubstr("left out: beam, of beam or plate theory")));
+  EXPECT_THAT(verdict.sentences, Not(testing::Contains(HasSubstr("leaves open"))));  // that is not why
+  for (const auto& row : headline_table(evaluation).rows) EXPECT_EQ(row[0].text, "solid");
+  for (const auto& [norm, pair] : headline_pairs(evaluation)) EXPECT_EQ(pair.error.case_name, "solid");
+  EXPECT_THAT(headline_table(evaluation).note, HasSubstr("half waves"));
+}
+
+TEST(Claims, OfBeamTheoryAloneNothingIsMeasuredAndTheReasonStands) {
+  ReportInput input;
+  add_case(input, "beam", 1000, 500);
+  input.scenes = {synthetic::scene()};
+  input.scenes[0].name = "beam";
+  input.scenes[0].bodies[0].theory = Theory::kirchhoff;
+  EXPECT_EQ(claim(input, "C1").ruling, Ruling::not_measured);
+  EXPECT_THAT(claim(input, "C1").limits, HasSubstr("left out: beam"));
+  EXPECT_THAT(verdict_of(evaluate(input)).sentences,
+              testing::Contains(HasSubstr("no reduced run of the cases that count is within that")));
 }
 
 Claim polynomials(const Shape& shape, double error, double bar = 0) {

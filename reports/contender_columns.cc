@@ -10,11 +10,11 @@ std::vector<Column> contender_columns() {
           {"r used", "", number}, {"time step", "s", number}, {"rtol", "-", number}, {"unknowns", "", number}};
 }
 
-std::vector<Cell> contender_cells(const Contender& contender, int modes_used, long n_unknowns) {
+std::vector<Cell> contender_cells(const Contender& contender, int modes_used, long n_unknowns, Theory theory) {
   const Settings& settings = contender.settings;
   return {text_cell(contender.method),
           text_cell(describe_integrator(contender)),
-          text_cell(to_string(contender.resolution)),
+          text_cell(describe_mesh(contender.resolution, theory)),
           takes_modes(contender) ? count_cell(settings.modes) : text_cell(""),
           is_reduced(contender) && modes_used >= 0 ? count_cell(modes_used) : text_cell(""),
           settings.time_step > 0 ? setting_cell(settings.time_step) : text_cell(""),

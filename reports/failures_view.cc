@@ -8,17 +8,17 @@ namespace mb {
 namespace {
 
 // "Q1 1x2, newmark, 7 runs from step 0.01 s to step 0.00016 s; eigenmodes, r = 8"
-std::string families(const std::vector<Contender>& contenders) {
+std::string families(const std::vector<Contender>& contenders, Theory theory) {
   std::vector<std::pair<std::string, std::vector<Contender>>> groups;
   for (const Contender& one : contenders) {
-    const std::string family = describe_family(one);
+    const std::string family = describe_family(one, theory);
     if (groups.empty() || groups.back().first != family) groups.push_back({family, {}});
     groups.back().second.push_back(one);
   }
   std::string text;
   for (const auto& [family, members] : groups) {
     if (!text.empty()) text += "; ";
-    text += describe(members.front());
+    text += describe(members.front(), theory);
     if (members.size() == 1) continue;
     text.resize(text.size() - describe_setting(members.front()).size());
     text += std::to_string(members.size()) + " runs from " + describe_setting(members.front()) + " to " +
@@ -46,7 +46,7 @@ std::vector<Failure> failures_of(const Evaluation& evaluation) {
     all.push_back({.case_name = case_name,
                    .profile = profile,
                    .reason = why,
-                   .contenders = families(contenders),
+                   .contenders = families(contenders, theory_of(evaluation, case_name, profile)),
                    .n_runs = static_cast<int>(contenders.size()),
                    .n_measures = struck.second,
                    .undefined = undefined});

@@ -76,7 +76,7 @@ std::vector<DrawnSeries> series(const Evaluation& evaluation) {
   std::map<std::string, DrawnSeries> found;
   for (const Run& run : evaluation.runs) {
     const Contender& c = run.contender;
-    const std::string name = describe_series(c);
+    const std::string name = describe_series(c, theory_of(evaluation, run.case_name, run.profile));
     if (found.contains(name)) continue;
     const auto degree = static_cast<std::size_t>(std::max(1, c.resolution.degree) - 1);
     const char* colour = c.method == "full-order"
@@ -106,11 +106,13 @@ std::vector<Json> run_data(const Evaluation& evaluation) {
   for (std::size_t i = 0; i < evaluation.runs.size(); ++i) {
     const Run& run = evaluation.runs[i];
     const Contender& contender = run.contender;
-    Json& json = all.emplace_back(Json{{"series", describe_series(contender)},
-                                       {"family", describe_family(contender) + ", " + describe_size(contender)},
-                                       {"run", describe(contender)},
+    const Theory theory = theory_of(evaluation, run.case_name, run.profile);
+    const std::string family = describe_family(contender, theory) + ", " + describe_size(contender, theory);
+    Json& json = all.emplace_back(Json{{"series", describe_series(contender, theory)},
+                                       {"family", family},
+                                       {"run", describe(contender, theory)},
                                        {"reduced", is_reduced(contender)},
-                                       {"mesh", to_string(contender.resolution)},
+                                       {"mesh", describe_mesh(contender.resolution, theory)},
                                        {"unknowns", run.n_unknowns},
                                        {"against_modes", is_reduced(contender) && all_drawn[i].against_modes},
                                        {"against_step", all_drawn[i].against_step}});
@@ -135,7 +137,7 @@ Labels order_labels(const std::vector<Curve>& all, const Run& of_case, const Mea
     if (!wanted) continue;
     const auto i = static_cast<std::size_t>(curve.runs.back() - runs.data());
     if (against_step && !are_drawn[i].against_step) continue;
-    const std::string name = describe_series(curve.contender);
+    const std::string name = describe_series(curve.contender, curve.theory);
     labels[name] = name + (against_step ? ": dt^" : ": r^") +
                    format_number(against_step ? curve.observed.order : -curve.observed.order);
   }

@@ -13,6 +13,8 @@ std::vector<Figure> finding_figures(const Finding& finding) {
   if (finding.name == "mode-amplitudes") all = amplitude_figures(finding);
   if (finding.name == "collision-cost") all = collision_figures(finding);
   if (finding.name == "contact-forces") all = contact_figures(finding);
+  if (finding.name == "force-history") all = force_history_figures(finding);
+  if (finding.name == "contact-time") all = contact_time_figures(finding);
   std::erase_if(all, [](const Figure& one) { return one.specification["data"]["values"].empty(); });
   for (Figure& one : all) one.specification["title"] = finding.case_name + ", profile " + finding.profile;
   return all;

@@ -32,5 +32,7 @@ std::vector<Figure> damping_figures(const Finding& finding);
 std::vector<Figure> amplitude_figures(const Finding& finding);
 std::vector<Figure> collision_figures(const Finding& finding);
 std::vector<Figure> contact_figures(const Finding& finding);
+std::vector<Figure> force_history_figures(const Finding& finding);
+std::vector<Figure> contact_time_figures(const Finding& finding);
 
 }  // namespace mb

@@ -21,6 +21,11 @@ constexpr Section sections[] = {{"budget", "Error budget", true},
                                 {"mode-amplitudes", "Mode amplitudes", false},
                                 {"collision-cost", "Collision cost", false},
                                 {"contact-forces", "Contact forces", false},
+                                {"contact-model", "Contact model", false},
+                                {"force-history", "Contact force over time", false},
+                                {"contact-stiffness", "Contact stiffness", false},
+                                {"contact-time", "Where the time goes in contact", false},
+                                {"flight-cost", "Cost of flight and of contact", false},
                                 {"frequencies", "Natural frequencies", false},
                                 {"probe-extremes", "Extremes at the probes", false}};
 

@@ -97,9 +97,9 @@ TEST(FindingFigures, AreDrawnOfTheColumnsTheyNeedAndElseNotAtAll) {
   for (const Finding& finding : synthetic::findings("shear")) {
     for (const Figure& figure : finding_figures(finding)) names.insert(figure.name);
   }
-  for (const char* name :
-       {"step-limits", "aliasing-24", "aliasing-120", "frequency-response-squeeze", "budget-M", "budget-K", "damping",
-        "mode-amplitudes", "collision-cost-sphere-n-m", "contact-forces-superquadric-depth-0-01"}) {
+  for (const char* name : {"step-limits", "aliasing-24", "aliasing-120", "frequency-response-squeeze", "budget-M",
+                           "budget-K", "damping", "mode-amplitudes", "collision-cost-sphere-n-m",
+                           "contact-forces-superquadric-depth-0-01", "force-history", "contact-time"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
   for (Finding finding : synthetic::findings("shear")) {
@@ -116,6 +116,35 @@ TEST(FindingFigures, AxesHaveTheUnitsOfTheirColumns) {
               finding.name == "damping" ? "damping ratio [-]" : "largest modal displacement [m kg^1/2]");
     EXPECT_EQ(encoding["x"]["title"], "frequency [Hz]");
   }
+}
+
+TEST(FindingFigures, ContactForcesAreALineAnAnswerOverTime) {
+  const Finding force = synthetic::of_contact("shear").at(0);
+  const Json specification = finding_figures(force).at(0).specification;
+  const Json& encoding = specification["layer"][0]["encoding"];
+  EXPECT_EQ(encoding["x"]["title"], "time [s]");
+  EXPECT_EQ(encoding["y"]["title"], "normal force [N]");
+  EXPECT_EQ(encoding["color"]["scale"]["domain"],
+            Json({"truth, finer", "static-correction, r = 4", "static-correction, r = 64"}));
+  const Json& data = specification["data"]["values"];
+  ASSERT_EQ(data.size(), 3u * 61);  // the row without a number is left out
+  EXPECT_EQ(data[0], Json({{"contender", "truth, finer"}, {"t", 0.3}, {"force", 0.0}}));
+}
+
+TEST(FindingFigures, SharesOfTheTimeInContactFillTheBarOfTheirRun) {
+  const Finding time = synthetic::of_contact("shear").at(1);
+  const Json specification = finding_figures(time).at(0).specification;
+  EXPECT_EQ(specification["layer"][0]["encoding"]["x"]["title"], "share of the computing time [-]");
+  EXPECT_EQ(specification["layer"][0]["encoding"]["color"]["scale"]["domain"].size(), 4u);
+  std::map<std::string, double> sums;
+  for (const Json& datum : specification["data"]["values"]) sums[datum["contender"]] += datum["share"].get<double>();
+  ASSERT_EQ(sums.size(), 2u);
+  for (const char* label : {"static-correction, r = 4\nstep 0.0001 s", "static-correction, r = 64\nstep 0.0001 s"}) {
+    EXPECT_NEAR(sums.at(label), 1, 1e-15 * 8) << label;  // rounding of four quotients
+  }
+  Finding no_steps = time;
+  no_steps.columns[2].name = "other";
+  EXPECT_EQ(finding_figures(no_steps)[0].specification["data"]["values"][0]["contender"], "static-correction, r = 4");
 }
 
 TEST(FindingFigures, LabelsOfTheBudgetStandOnTwoLines) {

@@ -91,7 +91,8 @@ std::string markdown_report(const Evaluation& evaluation) {
   text += findings_sections(evaluation, true);
   text += section(speed_up_table(evaluation, front), "Speed-up at equal error",
                   "No reduced run has both an error and a time.");
-  text += section(phases_table(evaluation, front), "What the times are made of", "No reduced run has a rival.");
+  text += section(phases_table(evaluation, front), "What the times are made of",
+                  "No reduced run has both an error and a time.");
   text += findings_sections(evaluation, false);
   text += section(claims_table(evaluation), "The paper's claims", "");
   text += section(probes_table(evaluation), "Probe signals", "No probe is recorded.");

@@ -52,12 +52,14 @@ std::string lost(const Outcome& outcome) {
   return text.empty() ? "" : text + " of " + std::to_string(outcome.n_runs);
 }
 
-Cell cell_of(const Outcome& outcome) {
+Cell cell_of(const Evaluation& evaluation, const Outcome& outcome) {
   if (outcome.n_runs == 0) return text_cell("– not run");
   if (outcome.error) {
     const bool within = largest_error(*outcome.error) <= error_target;
-    const std::string setting = is_reduced(outcome.best->contender) ? describe_setting(outcome.best->contender)
-                                                                    : describe_size(outcome.best->contender);
+    const Run& best = *outcome.best;
+    const std::string setting =
+        is_reduced(best.contender) ? describe_setting(best.contender)
+                                   : describe_size(best.contender, theory_of(evaluation, best.case_name, best.profile));
     return {.text = std::string(within ? "✔ " : "▲ ") + format_record(*outcome.error) +
                     (setting.empty() ? "" : " (" + setting + ")") + lost(outcome),
             .value = counted_error(*outcome.error)};
@@ -92,7 +94,7 @@ Sheet matrix_table(const Evaluation& evaluation) {
     std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{text_cell(key.second)});
     for (const std::string& name : cases) {
       const auto entry = by_case.find(name);
-      row.push_back(cell_of(entry == by_case.end() ? Outcome{} : entry->second));
+      row.push_back(cell_of(evaluation, entry == by_case.end() ? Outcome{} : entry->second));
     }
   }
   return table;

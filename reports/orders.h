@@ -43,6 +43,7 @@ struct Curve {
   Measure measure;
   Refinement refinement;
   Contender contender;           // of its finest run
+  Theory theory;                 // of the case's body
   std::vector<const Run*> runs;  // coarse to fine; as old as the evaluation
   ObservedOrder observed;
 };

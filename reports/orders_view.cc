@@ -36,7 +36,7 @@ Basis basis(const Run& run) { return {run.case_name, run.profile, run.contender.
 std::map<Basis, const Run*> in_closed_form(const std::vector<Run>& runs) {
   std::map<Basis, const Run*> found;
   for (const Run& run : runs) {
-    if (run.contender.integrator == "exact") found.emplace(basis(run), &run);
+    if (run.contender.integrator == "exact" && !steps_in_contact(run.contender)) found.emplace(basis(run), &run);
   }
   return found;
 }
@@ -98,7 +98,8 @@ std::vector<Cell> row(const Curve& curve) {
   const ObservedOrder& o = curve.observed;
   const Contender& c = curve.contender;
   const bool none = std::isnan(o.order);
-  const std::string size = curve.refinement == Refinement::modes ? describe_accuracy(c) : describe_size(c);
+  const std::string size =
+      curve.refinement == Refinement::modes ? describe_accuracy(c) : describe_size(c, curve.theory);
   return {text_cell(curve.case_name),
           text_cell(curve.profile),
           text_cell(curve.measure.truth),
@@ -136,6 +137,7 @@ std::vector<Curve> curves(const Evaluation& evaluation) {
         Curve& curve = found[Key{family(run), one, fixed(run, one), measure}];
         curve.case_name = run.case_name;
         curve.profile = run.profile;
+        curve.theory = theory_of(evaluation, run.case_name, run.profile);
         curve.measure = measure;
         curve.refinement = one;
         curve.runs.push_back(&run);

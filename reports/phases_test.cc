@@ -57,6 +57,57 @@ TEST(Phases, AClosedFormTakesNoSteps) {
   EXPECT_EQ(speed_up_table(evaluate(input), evaluate(input).speed_ups).rows.at(0).at(6).text, "closed form");
 }
 
+TEST(Phases, InContactTheStepsOfWhatFliesInClosedFormCount) {
+  ReportInput input = measured_input();
+  for (Record& record : input.records) {
+    record.work.steps = 320;
+    if (record.contender.method == "eigenmodes") record.contender.settings.time_step = 1e-4;
+  }
+  EXPECT_EQ(cell(input, "steps").text, "320");
+  EXPECT_EQ(cell(input, "integrator").text, "closed form, steps in contact");
+  EXPECT_EQ(cell(input, "steps of").text, "step 0.0001 s in contact");
+  const Contender contender = input.records[0].contender;
+  EXPECT_EQ(describe(contender), "eigenmodes, r = 8, step 0.0001 s in contact");
+  EXPECT_EQ(describe_integrator(contender), "closed form, steps in contact");
+  EXPECT_EQ(describe(synthetic::full(2, {1, 2}, 0.01)), "Q2 1x2, newmark, step 0.01 s");
+}
+
+// Of one case without a rival: its most exact run by the headline's norm, whatever the others say.
+TEST(Phases, WithoutAnyRivalAreThoseOfTheMostExactRun) {
+  ReportInput input;
+  for (const int r : {4, 8, 16}) {
+    add(input.records, synthetic::reduced("eigenmodes", r), {{"online-time", r}, {"stepping-time", 0.5 * r}});
+    input.records[input.records.size() - 3].value = 0.1 / r;
+    Record strain = synthetic::record("strain-error", 1e-6 * r, 0, synthetic::reduced("eigenmodes", r));
+    input.records.push_back(strain);
+  }
+  add(input.records, synthetic::full(2, {1, 2}, 0.01), {{"online-time", 20}});
+  input.records[input.records.size() - 2].value = 0.5;
+  EXPECT_EQ(cell(input, "norm").text, "displacement-error");
+  EXPECT_EQ(cell(input, "r").text, "16");
+  EXPECT_DOUBLE_EQ(cell(input, "stepping").value.value(), 8);
+  EXPECT_EQ(cell(input, "rival").text, "none reached");
+  for (const char* column : {"rival online", "rival steps", "rival solves", "rival factorisations"}) {
+    EXPECT_EQ(cell(input, column).text, "") << column;
+  }
+  input.records[input.records.size() - 2].value = 0.02;  // reaches r = 4 alone: its pair, and no run on its own
+  EXPECT_EQ(cell(input, "r").text, "4");
+  EXPECT_EQ(cell(input, "rival").text, "Q2 1x2, newmark, step 0.01 s");
+}
+
+TEST(Phases, WithoutARivalAreOfOneRunACase) {
+  ReportInput input;
+  for (const char* name : {"a", "b"}) {
+    for (const int r : {4, 8}) {
+      add(input.records, synthetic::reduced("eigenmodes", r), {{"online-time", 1}});
+      for (std::size_t i = input.records.size() - 2; i < input.records.size(); ++i) input.records[i].case_name = name;
+    }
+  }
+  const Evaluation evaluation = evaluate(input);
+  EXPECT_EQ(phases_table(evaluation, evaluation.speed_ups).rows.size(), 2u);
+  EXPECT_TRUE(phases_table(evaluation, {}).rows.empty());
+}
+
 TEST(Phases, BelowTheSpreadsOfBothMeasurementsPrintTheSpreads) {
   ReportInput input = measured_input();
   for (Record& record : input.records) {

@@ -87,6 +87,10 @@ bool takes_tolerance(const Contender& contender) {
   return contender.integrator != "exact" && !(contender.settings.time_step > 0);
 }
 
+bool steps_in_contact(const Contender& contender) {
+  return contender.integrator == "exact" && contender.settings.time_step > 0;
+}
+
 double accuracy(const Contender& contender) {
   if (contender.settings.time_step > 0) return contender.settings.time_step;
   return takes_tolerance(contender) ? contender.settings.relative_tolerance : 0;
@@ -126,29 +130,39 @@ std::string reason(const Record& record) {
   return record.status.starts_with(prefix) ? record.status.substr(prefix.size()) : record.status;
 }
 
-std::string describe(const Contender& contender) {
-  return joined({describe_family(contender), describe_setting(contender)}, ", ");
+std::string describe_mesh(const Resolution& mesh, Theory theory) {
+  if (theory == Theory::solid) return to_string(mesh);
+  std::vector<std::string> counts;
+  for (const int n : mesh.cells) counts.push_back(std::to_string(n));
+  return joined(counts, "x") + (mesh.cells == std::vector{1} ? " half wave" : " half waves");
 }
 
-std::string describe_family(const Contender& contender) {
-  const std::string mesh = to_string(contender.resolution);
+std::string describe(const Contender& contender, Theory theory) {
+  return joined({describe_family(contender, theory), describe_setting(contender)}, ", ");
+}
+
+std::string describe_family(const Contender& contender, Theory theory) {
+  const std::string mesh = describe_mesh(contender.resolution, theory);
   if (contender.method == "full-order") return mesh + ", " + describe_integrator(contender);
   if (!is_reduced(contender)) return contender.method + " " + mesh + ", " + describe_integrator(contender);
   return joined({contender.method, contender.integrator == "exact" ? "" : contender.integrator}, ", ");
 }
 
 std::string describe_integrator(const Contender& contender) {
+  if (steps_in_contact(contender)) return "closed form, steps in contact";
   return contender.integrator == "exact" ? "closed form" : contender.integrator;
 }
 
-std::string describe_size(const Contender& contender) {
+std::string describe_size(const Contender& contender, Theory theory) {
   if (takes_modes(contender)) return "r = " + std::to_string(contender.settings.modes);
-  return is_reduced(contender) ? "" : to_string(contender.resolution);
+  return is_reduced(contender) ? "" : describe_mesh(contender.resolution, theory);
 }
 
 std::string describe_accuracy(const Contender& contender) {
   const Settings& settings = contender.settings;
-  if (settings.time_step > 0) return "step " + format_setting(settings.time_step) + " s";
+  if (settings.time_step > 0) {
+    return "step " + format_setting(settings.time_step) + " s" + (steps_in_contact(contender) ? " in contact" : "");
+  }
   return takes_tolerance(contender) ? "rtol " + format_setting(settings.relative_tolerance) : "";
 }
 
@@ -156,10 +170,12 @@ std::string describe_setting(const Contender& contender) {
   return joined({is_reduced(contender) ? describe_size(contender) : "", describe_accuracy(contender)}, ", ");
 }
 
-std::string describe_series(const Contender& contender) {
+std::string describe_series(const Contender& contender, Theory theory) {
   if (is_reduced(contender)) return describe_family(contender);
   if (contender.method != "full-order") return "full basis, " + describe_integrator(contender);
-  return "full order Q" + std::to_string(contender.resolution.degree) + ", " + describe_integrator(contender);
+  const std::string mesh =
+      theory == Theory::solid ? "Q" + std::to_string(contender.resolution.degree) : "in half waves";
+  return "full order " + mesh + ", " + describe_integrator(contender);
 }
 
 }  // namespace mb

@@ -37,9 +37,9 @@ Cell real_time_cell(const Evaluation& evaluation, const SpeedUp& one, const Reco
 }
 
 // The method's name where the mesh steps in another basis than its own nodes: "full Q2 1x4, step 0.001 s".
-std::string rival_label(const Contender& rival) {
+std::string rival_label(const Contender& rival, Theory theory) {
   const std::string method = rival.method == "full-order" ? "" : rival.method + " ";
-  return joined({method + describe_size(rival), describe_accuracy(rival)}, ", ");
+  return joined({method + describe_size(rival, theory), describe_accuracy(rival)}, ", ");
 }
 
 std::vector<Cell> rival_cells(const Evaluation& evaluation, const SpeedUp& one) {
@@ -50,7 +50,7 @@ std::vector<Cell> rival_cells(const Evaluation& evaluation, const SpeedUp& one) 
     return cells;
   }
   const Contender& rival = one.rival[0].contender;
-  return {text_cell(rival_label(rival)),
+  return {text_cell(rival_label(rival, theory_of(evaluation, one.error.case_name, one.error.profile))),
           text_cell(describe_integrator(rival)),
           record_cell(&one.rival[0]),
           margin_cell(one),
@@ -63,9 +63,11 @@ std::vector<Cell> rival_cells(const Evaluation& evaluation, const SpeedUp& one) 
           break_even_cell(evaluation, one)};
 }
 
-std::vector<Cell> near_miss_cells(const SpeedUp& one) {
+std::vector<Cell> near_miss_cells(const Evaluation& evaluation, const SpeedUp& one) {
   if (one.near_miss.empty()) return {text_cell(""), text_cell(""), text_cell("")};
-  return {text_cell(describe(one.near_miss[0].contender)), record_cell(&one.near_miss[0]), miss_ratio_cell(one)};
+  const Theory theory = theory_of(evaluation, one.error.case_name, one.error.profile);
+  return {text_cell(describe(one.near_miss[0].contender, theory)), record_cell(&one.near_miss[0]),
+          miss_ratio_cell(one)};
 }
 
 std::vector<Column> speed_up_columns() {
@@ -133,7 +135,7 @@ Sheet speed_up_table(const Evaluation& evaluation, const std::vector<SpeedUp>& s
     std::vector<Cell>& row = table.rows.emplace_back(speed_up_key_cells(one));
     append(row, {record_cell(&one.error), record_cell(&one.time), real_time_cell(evaluation, one, one.time)});
     append(row, rival_cells(evaluation, one));
-    append(row, near_miss_cells(one));
+    append(row, near_miss_cells(evaluation, one));
     row.push_back(text_cell(joined(limits_of(one), "; ")));
   }
   return table;

@@ -1,6 +1,7 @@
 // Tables of analyses of the made-up study, with the columns that analyses give theirs. No number here was measured.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -182,9 +183,34 @@ inline std::vector<Finding> of_collision(const std::string& case_name) {
   return {cost, claim, errors, gains};
 }
 
+// A half sine, of which few modes see less; and what the parts of a run take.
+inline std::vector<Finding> of_contact(const std::string& case_name) {
+  Finding force = finding(case_name, "force-history", "force-history",
+                          {{"contender", ""}, {"modes r", ""}, {"time", "s"}, {"normal force", "N"}});
+  Finding time = finding(case_name, "contact-time", "contact-time",
+                         {{"method", ""}, {"modes r", ""}, {"dt", "s"}, {"part", ""}, {"time", "s"}, {"share", "-"}});
+  for (const int r : {0, 4, 64}) {
+    for (int k = 0; k <= 60; ++k) {
+      const double f = (r ? 9 - 6.0 / r : 9) * std::max(0.0, std::sin(0.07 * (k - 5)));
+      force.rows.push_back({r ? "static-correction" : "truth, finer", r ? double(r) : nan, 0.3 + 5e-4 * k, f});
+    }
+    if (r == 0) continue;
+    const double seconds[] = {2e-4, 4e-3, 1e-5 * r, 1e-4 * r};
+    double sum = 0;
+    for (const double one : seconds) sum += one;
+    const char* const parts[] = {"search for the first touch", "loads of contact", "steps", "reconstruction"};
+    for (int i = 0; i < 4; ++i) {
+      time.rows.push_back({"static-correction", double(r), 1e-4, parts[i], seconds[i], seconds[i] / sum});
+    }
+  }
+  force.rows.push_back({"eigenmodes", 4.0, 0.3, nan});
+  time.rows.push_back({"eigenmodes", 4.0, 1e-4, "steps", nan, nan});
+  return {force, time};
+}
+
 inline std::vector<Finding> findings(const std::string& case_name) {
   std::vector<Finding> all = step_limits(case_name);
-  for (const auto& more : {aliasing(case_name), of_modes(case_name), of_collision(case_name)})
+  for (const auto& more : {aliasing(case_name), of_modes(case_name), of_collision(case_name), of_contact(case_name)})
     all.insert(all.end(), more.begin(), more.end());
   all.push_back(budget(case_name));
   all.push_back(response(case_name));

@@ -60,9 +60,12 @@ long count_compared(const std::vector<SpeedUp>& pairs) {
   return std::ranges::count_if(pairs, [](const SpeedUp& one) { return !one.rival.empty(); });
 }
 
-std::string speed_up_sentence(const Verdict& verdict) {
+std::string speed_up_sentence(const Evaluation& evaluation, const Verdict& verdict) {
   const std::string at = "at " + percent(error_target) + " displacement error";
-  if (verdict.at_target.empty()) return "Speed-up " + at + ": no reduced run is within that, error bar included.";
+  if (verdict.at_target.empty()) {
+    const char* of = theory_remark(evaluation).empty() ? "" : " of the cases that count";
+    return "Speed-up " + at + ": no reduced run" + of + " is within that, error bar included.";
+  }
   return "Speed-up " + at + ": " + median_text(verdict.at_target) + ", in " + std::to_string(verdict.n_compared) +
          " of " + counted(verdict.at_target.size(), "case", "cases") +
          " with a reduced run within that; the cheapest full-order run that is within it, too, over the cheapest "
@@ -77,12 +80,17 @@ std::string looser_sentence(const Evaluation& evaluation) {
          std::to_string(count_compared(pairs)) + " of " + counted(pairs.size(), "case", "cases") + ".";
 }
 
+bool is_of_theory(const Evaluation& evaluation, const std::string& case_name, const std::string& profile) {
+  return theory_of(evaluation, case_name, profile) != Theory::solid;
+}
+
 // Cases where the truth's error bar leaves open whether any reduced run is within the target.
 std::vector<std::string> open_cases(const Evaluation& evaluation, const Verdict& verdict) {
   std::set<std::string> names;
   for (const SpeedUp& one : of_norm(evaluation.speed_ups, headline_metric)) {
     const Run* run = run_of(evaluation, one.error);
     const bool is_best = run && one.error.truth == best_truth(*run, headline_metric);
+    if (is_of_theory(evaluation, one.error.case_name, one.error.profile)) continue;
     if (is_best && smallest_error(one.error) <= error_target) names.insert(one.error.case_name);
   }
   for (const SpeedUp& one : verdict.at_target) names.erase(one.error.case_name);
@@ -102,6 +110,7 @@ std::string limits_sentence(const Evaluation& evaluation, const Verdict& verdict
                      " rival at the edge of its sweep, beyond which a cheaper one may be (" +
                      cases_where(verdict.at_target, stands_at_edge) + ")");
   }
+  if (const std::string remark = theory_remark(evaluation); !remark.empty()) limits.push_back(remark);
   const std::vector<std::string> open = open_cases(evaluation, verdict);
   if (!open.empty()) {
     limits.push_back("the error bar of the truth leaves open whether any reduced run is within the target in " +
@@ -207,7 +216,20 @@ std::string set_remark(const Evaluation& evaluation, const std::string& name, co
 }  // namespace
 
 std::vector<SpeedUp> at_target(const Evaluation& evaluation, const std::string& norm, double target) {
-  return speed_ups_at(target, evaluation.runs, norm);
+  std::vector<SpeedUp> all = speed_ups_at(target, evaluation.runs, norm);
+  std::erase_if(all,
+                [&](const SpeedUp& one) { return is_of_theory(evaluation, one.error.case_name, one.error.profile); });
+  return all;
+}
+
+std::string theory_remark(const Evaluation& evaluation) {
+  std::set<std::string> names;
+  for (const Run& run : evaluation.runs) {
+    if (is_of_theory(evaluation, run.case_name, run.profile)) names.insert(run.case_name);
+  }
+  if (names.empty()) return "";
+  return "left out: " + listed({names.begin(), names.end()}) +
+         ", of beam or plate theory, whose full-order runs are half waves, modes too, and no finite elements";
 }
 
 std::vector<std::pair<std::string, SpeedUp>> headline_pairs(const Evaluation& evaluation) {
@@ -233,7 +255,7 @@ Verdict verdict_of(const Evaluation& evaluation) {
   verdict.n_perturbed = std::ranges::count_if(verdict.at_target, has_perturbed_time);
   verdict.n_at_edge = std::ranges::count_if(verdict.at_target, stands_at_edge);
   if (!evaluation.input.records.empty()) {
-    verdict.sentences.push_back(speed_up_sentence(verdict));
+    verdict.sentences.push_back(speed_up_sentence(evaluation, verdict));
     verdict.sentences.push_back(looser_sentence(evaluation));
     const std::string limits = limits_sentence(evaluation, verdict);
     if (!limits.empty()) verdict.sentences.push_back(limits);

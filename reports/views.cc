@@ -8,6 +8,7 @@
 #include "reports/contender_columns.h"
 #include "reports/number.h"
 #include "reports/speedup.h"
+#include "reports/speedup_columns.h"
 
 namespace mb {
 namespace {
@@ -80,11 +81,12 @@ Sheet metric_table(const Evaluation& evaluation, std::string name, std::string t
   table.columns.push_back({"offline time", "s", Kind::time});
   for (const Run& run : evaluation.runs) {
     if (!wanted(run.contender)) continue;
+    const Theory theory = theory_of(evaluation, run.case_name, run.profile);
     for (const Answer& answer : answers(run, metrics)) {
       std::vector<Cell> row = {text_cell(run.case_name), text_cell(run.profile), text_cell(answer.truth),
                                text_cell(answer.subject)};
-      for (Cell& cell : contender_cells(run.contender, run.modes_used, run.n_unknowns)) row.push_back(std::move(cell));
-      for (Cell& cell : metric_cells(run, answer, metrics)) row.push_back(std::move(cell));
+      append(row, contender_cells(run.contender, run.modes_used, run.n_unknowns, theory));
+      append(row, metric_cells(run, answer, metrics));
       row.push_back(record_cell(pointer(run.online)));
       row.push_back(record_cell(pointer(run.offline)));
       table.rows.push_back(std::move(row));
@@ -142,6 +144,15 @@ const Scene* scene_of(const Evaluation& evaluation, const std::string& case_name
 }
 
 const Run* run_of(const Evaluation& evaluation, const Record& record) { return find_run(evaluation.runs, record); }
+
+Theory theory_of(const Evaluation& evaluation, const std::string& case_name, const std::string& profile) {
+  if (const Scene* scene = scene_of(evaluation, case_name, profile)) {
+    for (const Body& body : scene->bodies) {
+      if (body.theory != Theory::solid) return body.theory;
+    }
+  }
+  return Theory::solid;
+}
 
 std::optional<double> simulated_seconds(const Evaluation& evaluation, const Run& run) {
   const Scene* scene = scene_of(evaluation, run.case_name, run.profile);
@@ -207,7 +218,8 @@ Sheet contenders_table(const Evaluation& evaluation) {
   for (const SpeedUp& one : of_norm(evaluation.speed_ups, headline_metric)) {
     const Record& e = one.error;
     std::vector<Cell> cells = {text_cell(e.case_name), text_cell(e.profile), text_cell(e.truth), text_cell(e.subject)};
-    for (Cell& cell : contender_cells(e.contender, e.modes_used, e.n_unknowns)) cells.push_back(std::move(cell));
+    const Theory theory = theory_of(evaluation, e.case_name, e.profile);
+    append(cells, contender_cells(e.contender, e.modes_used, e.n_unknowns, theory));
     Cell ratio = ratio_cell(one);
     if (!one.rival.empty()) ratio.text = format_number(one.ratio);  // range and limits stand in the table of speed-ups
     if (has_perturbed_time(one)) ratio.text += ", perturbed";

@@ -28,6 +28,8 @@ Evaluation evaluate(const ReportInput& input);
 
 const Scene* scene_of(const Evaluation& evaluation, const std::string& case_name, const std::string& profile);
 const Run* run_of(const Evaluation& evaluation, const Record& record);
+// Of the first body that has one; solid, too, where the scene is unknown.
+Theory theory_of(const Evaluation& evaluation, const std::string& case_name, const std::string& profile);
 std::optional<double> simulated_seconds(const Evaluation& evaluation,
                                         const Run& run);  // [s]; none where the scene is unknown
 
@@ -60,7 +62,7 @@ Sheet reduced_table(const Evaluation& evaluation);     // error against r
 Sheet rivals_table(const Evaluation& evaluation);      // full-order contenders
 Sheet contenders_table(const Evaluation& evaluation);  // both, with speed-up: the page's table
 Sheet speed_up_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown);
-// Parts of offline and online times, and work counts.
+// Parts of offline and online times, and work counts. Where no run of a case has a rival, of its most exact one.
 Sheet phases_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown);
 Sheet probes_table(const Evaluation& evaluation);
 Sheet failures_table(const Evaluation& evaluation);  // one row a reason

@@ -20,8 +20,7 @@ inline Vocabulary vocabulary() {
           {"linear", "quadratic", "full"},
           {"sundials"},
           {"budget", "step-limits", "aliasing", "frequency-response", "mode-amplitudes", "damping", "frequencies",
-           "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact-model", "contact-time",
-           "force-history", "flight-cost"},
+           "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact", "flight-cost"},
           {"budget", "aliasing", "frequency-response", "probe-extremes", "damping"},
           {"contact-stiffness", "contact", "flight-cost"}};
 }

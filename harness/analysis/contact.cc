@@ -4,6 +4,7 @@
 
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/contact_tables.h"
+#include "harness/metrics/contact_metrics.h"
 
 namespace mb {
 
@@ -29,7 +30,7 @@ Finding force_history(const std::vector<ContactBasis>& bases, const AnalysisCont
   Index peak = 0;
   if (contact.touches.empty() || !(contact.force.colwise().norm().maxCoeff(&peak) > 0)) return found;
   const Vector3d along = contact.force.col(peak).normalized();
-  const Touch& first = contact.touches.front();
+  const Touch first = first_contact(contact.touches, contact.touches)->whole;
   const double length = std::isfinite(first.end) ? first.end - first.start : scene.duration - first.start;
   const auto add = [&](const std::string& name, FindingCell r, const Trajectory& answer) {
     if (answer.status != Status::ok) return;

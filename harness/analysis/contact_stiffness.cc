@@ -4,6 +4,7 @@
 #include "cases/contract/touchdown.h"
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/contact_variants.h"
+#include "harness/metrics/contact_metrics.h"
 
 namespace mb {
 
@@ -11,21 +12,22 @@ namespace {
 
 const double factors[] = {0.5, 1, 2};
 
-// Of the first touch of one answer.
+// Of the first contact of one answer.
 struct Impact {
   double start, duration, peak, impulse;  // [s], [s], [N], [N s]; NaN where it has none
 };
-Impact impact_of(const Trajectory& answer) {
+Impact impact_of(const Trajectory& answer, const Trajectory& truth) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  if (answer.status != Status::ok || answer.bodies.front().contact.touches.empty()) return {nan, nan, nan, nan};
-  const Touch& touch = answer.bodies.front().contact.touches.front();
+  const auto contact = first_contact(answer.bodies.front().contact.touches, truth.bodies.front().contact.touches);
+  if (answer.status != Status::ok || !contact) return {nan, nan, nan, nan};
+  const Touch& touch = contact->whole;
   const double duration = touch.end - touch.start;
   return {touch.start, std::isfinite(duration) ? duration : nan, touch.peak_force, touch.impulse.norm()};
 }
 
 Finding stiffness_table() {
   return table("contact-stiffness", "contact-stiffness", "What the stiffness of the layer does",
-               "The first touch with the layer's stiffness halved, as it is, and doubled; changes are against `as it "
+               "The first contact with the layer's stiffness halved, as it is, and doubled; changes are against `as it "
                "is` of the same contender. A layer of stiffness k adds F/(k pi a^2) to the approach of a contact of "
                "radius a: where k a/E* is a hundred, halving it changes the approach by 0.3 %.",
                {{"contact", ""},
@@ -48,15 +50,17 @@ Finding stiffness_table() {
 std::vector<Finding> contact_stiffness(const AnalysisContext& context) {
   Finding found = stiffness_table();
   const Scene& scene = *context.scene;
+  const Trajectory& truth = context.truth.finer;
   ContactVariants variants(context);
   const Touchdown down = touchdown(scene, scene.bodies.front());
   const auto add = [&](const Meeting& meeting, const std::string& contender, const ContactContender& answer) {
     const Scene stated = variants.with_stiffness(meeting.contact, meeting.size.stiffness);
-    const Impact as_it_is = impact_of(variants.simulate(stated, answer));
+    const Impact as_it_is = impact_of(variants.simulate(stated, answer), truth);
     for (const double factor : factors) {
       const double k = factor * meeting.size.stiffness;
-      const Impact now =
-          factor == 1 ? as_it_is : impact_of(variants.simulate(variants.with_stiffness(meeting.contact, k), answer));
+      const Impact now = factor == 1
+                             ? as_it_is
+                             : impact_of(variants.simulate(variants.with_stiffness(meeting.contact, k), answer), truth);
       const auto change = [](double a, double b) { return FindingCell(a / b - 1); };
       const bool lumped = scene.contacts[meeting.contact].law == ContactLaw::hertz;
       found.rows.push_back({scene.contacts[meeting.contact].obstacle, contender,

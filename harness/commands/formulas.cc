@@ -79,6 +79,9 @@ const std::map<std::string, Formula>& analyses() {
        {"F = k_n int g dA by samples, or k_n pi delta^2 / sqrt(k_1 k_2) by principal curvatures, against the exact cap",
         "Pentland and Williams 1989, Good Vibrations, sect. 4.2; harness/analysis/contact_contest.h"}},
       {"contact-stiffness", {"T(k_n/2), T(k_n), T(2 k_n), likewise F and J of the first touch; k_n a/E* beside", ours}},
+      {"contact",
+       {"f(t) . f*_max/|f*_max|; k_n, E*, a, k_n a/E*; |phi - sum_k a_k m_k|/|phi|; time of search, loads, steps",
+        ours}},
       {"flight-cost", {"time ~ (flight time)^p and ~ (steps in contact)^p, least squares in logarithms", ours}},
   };
   return all;

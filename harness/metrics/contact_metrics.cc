@@ -1,5 +1,6 @@
 #include "harness/metrics/contact_metrics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,52 +19,63 @@ const BodyTrajectory& of(const Trajectory& trajectory, const MetricContext& cont
 }
 double mass(const Body& b) { return b.material.density * volume(b.shape); }
 
-// The first touch that has ended; nothing where there is none.
-const Touch* first_touch(const Trajectory& trajectory, const MetricContext& context) {
-  const auto& touches = of(trajectory, context).contact.touches;
-  return touches.empty() ? nullptr : &touches.front();
+const std::vector<Touch>& touches_of(const Trajectory& trajectory, const MetricContext& context) {
+  return of(trajectory, context).contact.touches;
 }
+// NaN where the truth has nothing of it.
+double ratio(double error, double size) { return size > 0 ? error / size : nan; }
 
-// |value(a) - value(b)| over `by`; NaN where one of them has no touch.
-template <class Value>
-double difference(const Trajectory& answer, const Trajectory& truth, const MetricContext& context, const Value& value,
-                  bool relative) {
-  const Touch *a = first_touch(answer, context), *b = first_touch(truth, context);
-  if (!a || !b) return nan;
-  const double error = std::abs(value(*a) - value(*b));
-  return relative ? error / std::abs(value(*b)) : error;
+// error(a, b) of the first contacts of answer and truth; NaN where one of them never touches.
+template <class Error>
+double compared(const Trajectory& answer, const Trajectory& truth, const MetricContext& context, const Error& error) {
+  const auto& touches = touches_of(truth, context);
+  const auto a = first_contact(touches_of(answer, context), touches), b = first_contact(touches, touches);
+  return a && b ? error(a->whole, b->whole) : nan;
 }
 
 double first_touch_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
-  return difference(
-      answer, truth, context, [](const Touch& t) { return t.start; }, false);
+  return compared(answer, truth, context, [](const Touch& a, const Touch& b) { return std::abs(a.start - b.start); });
 }
+// NaN where one of them lasts: it has no duration as yet.
 double duration_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
-  return difference(
-      answer, truth, context, [](const Touch& t) { return t.end - t.start; }, true);
+  return compared(answer, truth, context, [](const Touch& a, const Touch& b) {
+    if (!std::isfinite(a.end) || !std::isfinite(b.end)) return nan;
+    return ratio(std::abs((a.end - a.start) - (b.end - b.start)), b.end - b.start);
+  });
 }
 double peak_force_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
-  return difference(
-      answer, truth, context, [](const Touch& t) { return t.peak_force; }, true);
+  return compared(answer, truth, context, [](const Touch& a, const Touch& b) {
+    return ratio(std::abs(a.peak_force - b.peak_force), b.peak_force);
+  });
 }
 double impulse_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
-  const Touch *a = first_touch(answer, context), *b = first_touch(truth, context);
-  return a && b ? (a->impulse - b->impulse).norm() / b->impulse.norm() : nan;
+  return compared(answer, truth, context, [](const Touch& a, const Touch& b) {
+    return ratio((a.impulse - b.impulse).norm(), b.impulse.norm());
+  });
 }
 double restitution_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
   if (!context.free && !striker_of(context.scene, body(context))) return nan;
   const auto value = [&](const Touch& t) { return restitution(context.scene, body(context), t); };
-  return difference(answer, truth, context, value, false);
+  return compared(answer, truth, context,
+                  [&](const Touch& a, const Touch& b) { return std::abs(value(a) - value(b)); });
+}
+double n_touches(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  if (touches_of(truth, context).empty()) return nan;
+  const auto contact = first_contact(touches_of(answer, context), touches_of(truth, context));
+  return contact ? contact->n_touches : 0;
 }
 
 double force_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
   const Matrix3Xd &f = of(answer, context).contact.force, &f_true = of(truth, context).contact.force;
   const VectorXd tau = trapezoid_weights(truth.t);
   if (f.cols() != tau.size() || f_true.cols() != tau.size()) return nan;
-  const double size = f_true.colwise().squaredNorm().dot(tau);
-  return size > 0 ? std::sqrt((f - f_true).colwise().squaredNorm().dot(tau) / size) : nan;
+  const double error = (f - f_true).colwise().squaredNorm().dot(tau);
+  return std::sqrt(ratio(error, f_true.colwise().squaredNorm().dot(tau)));
 }
 
+bool has_motion(const Trajectory& answer, const MetricContext& context) {
+  return of(answer, context).displacement.cols() == answer.t.size();
+}
 // c(t_k) of a free body's centroid [m].
 Vector3d centroid_at(const Trajectory& answer, const MetricContext& context, Index k) {
   const auto& [X, w] = context.points.volume;
@@ -76,11 +88,11 @@ double energy_brought(const Trajectory& answer, const MetricContext& context) {
   const Body& b = body(context);
   if (const Obstacle* obstacle = striker_of(context.scene, b))
     return 0.5 * obstacle->striker->mass * obstacle->striker->speed * obstacle->striker->speed;
-  const Touch* touch = first_touch(answer, context);
-  const Vector3d v = b.twist.velocity + (touch ? touch->start : 0) * context.scene.gravity;
+  const auto& touches = touches_of(answer, context);
+  const Vector3d v = b.twist.velocity + (touches.empty() ? 0 : touches.front().start) * context.scene.gravity;
   const double stored = of(answer, context).contact.stored.maxCoeff();
   double work = 0;
-  if (context.free && !context.scene.gravity.isZero(0))
+  if (context.free && !context.scene.gravity.isZero(0) && has_motion(answer, context))
     for (Index k = 1; k < answer.t.size(); ++k) {
       const Vector3d way = centroid_at(answer, context, k) - centroid_at(answer, context, 0);
       work = std::max(work, mass(b) * std::abs(context.scene.gravity.dot(way)));
@@ -88,11 +100,32 @@ double energy_brought(const Trajectory& answer, const MetricContext& context) {
   return std::max({0.5 * mass(b) * v.squaredNorm(), stored, work});
 }
 
-double energy_gain(const Trajectory& answer, const Trajectory&, const MetricContext& context) {
+// [J] With what contacts have lost; of size 0 where it was not recorded or is not finite.
+VectorXd energy_kept(const Trajectory& answer, const MetricContext& context) {
   const BodyTrajectory& b = of(answer, context);
-  if (b.energy.size() == 0 || b.contact.dissipated.size() != b.energy.size()) return nan;
-  const VectorXd kept = b.energy + b.contact.dissipated;
-  return std::max(0.0, (kept.array() - kept[0]).maxCoeff()) / energy_brought(answer, context);
+  const auto& [force, impulse, stored, dissipated, touches] = b.contact;
+  if (dissipated.size() != b.energy.size() || stored.size() != b.energy.size()) return {};
+  const VectorXd kept = b.energy + dissipated;
+  return kept.allFinite() && stored.allFinite() ? kept : VectorXd();
+}
+
+double energy_gain(const Trajectory& answer, const Trajectory&, const MetricContext& context) {
+  const VectorXd kept = energy_kept(answer, context);
+  if (kept.size() == 0) return nan;
+  return ratio(std::max(0.0, (kept.array() - kept[0]).maxCoeff()), energy_brought(answer, context));
+}
+
+// Damping of the body and loads take and bring what is not in the sum.
+bool keeps_energy(const MetricContext& context) {
+  const auto& [alpha, beta] = body(context).damping;
+  const auto& ratios = body(context).damping_ratios;
+  return alpha == 0 && beta == 0 && std::ranges::all_of(ratios, [](double zeta) { return zeta == 0; }) &&
+         context.scene.loads.empty();
+}
+double energy_defect(const Trajectory& answer, const Trajectory&, const MetricContext& context) {
+  const VectorXd kept = energy_kept(answer, context);
+  if (kept.size() == 0 || !keeps_energy(context)) return nan;
+  return ratio(std::abs(kept[kept.size() - 1] - kept[0]), energy_brought(answer, context));
 }
 
 // Centroid's path against that of all forces on it: [c - v t - g t^2/2] from the first time to the last - int J dt / m,
@@ -102,21 +135,36 @@ double momentum_defect(const Trajectory& answer, const Trajectory&, const Metric
   const Body& b = body(context);
   const BodyTrajectory& moved = of(answer, context);
   const Index n = answer.t.size();
-  if (moved.contact.impulse.cols() != n || n < 2) return nan;
+  if (moved.contact.impulse.cols() != n || n < 2 || !has_motion(answer, context)) return nan;
   const double t0 = answer.t[0], T = answer.t[n - 1];
   const auto place = [&](Index k) { return centroid_at(answer, context, k); };
   const Vector3d pushed = moved.contact.impulse * trapezoid_weights(answer.t) / mass(b);  // int J dt / m
   const Vector3d thrown = (T - t0) * b.twist.velocity + (T * T - t0 * t0) / 2 * context.scene.gravity;
   const Vector3d defect = place(n - 1) - place(0) - thrown - pushed;
-  const double size = pushed.norm();
-  return size > 0 ? defect.norm() / size : nan;
+  return ratio(defect.norm(), pushed.norm());
 }
 
 double touch_size(const Trajectory&, const MetricContext&) { return 1; }
 
 }  // namespace
 
+std::optional<FirstContact> first_contact(const std::vector<Touch>& touches, const std::vector<Touch>& truth) {
+  if (touches.empty() || truth.empty()) return {};
+  const Touch& own = truth.front();
+  const double until = own.end + 0.5 * (own.end - own.start);
+  FirstContact all{touches.front(), 1};
+  for (auto next = touches.begin() + 1; next != touches.end() && next->start < until; ++next) {
+    all.whole.end = next->end;
+    if (next->peak_force > all.whole.peak_force)
+      all.whole.peak_force = next->peak_force, all.whole.peak_time = next->peak_time;
+    all.whole.impulse += next->impulse;
+    ++all.n_touches;
+  }
+  return all;
+}
+
 double restitution(const Scene& scene, const Body& b, const Touch& touch) {
+  if (!std::isfinite(touch.end)) return nan;
   if (const Obstacle* obstacle = striker_of(scene, b)) {
     const auto& [m, speed, E, nu] = *obstacle->striker;
     const Vector3d up = b.pose.orientation * Vector3d::UnitZ();
@@ -135,24 +183,39 @@ std::vector<Metric> contact_metrics() {
     m.contact_only = true;
     return m;
   };
-  std::vector<Metric> all = {
+  // Not an error, hence without a bar; the truth says no more than how far the first contact goes.
+  const auto alone = [&](const char* name, const char* doc, auto value) {
+    Metric m = add(name, "-", doc, value);
+    m.of_answer_alone = true;
+    return m;
+  };
+  return {
       add("first-touch", "s", "Difference of the times of the first touch.", &first_touch_error),
-      add("contact-duration", "-", "Relative error of the duration of the first touch.", &duration_error),
-      add("peak-force", "-", "Relative error of the largest contact force of the first touch.", &peak_force_error),
-      add("impulse", "-", "Relative error of the impulse of the first touch, as a vector.", &impulse_error),
+      add("contact-duration", "-",
+          "Relative error of the duration of the first contact, from its first touch to the end of its last.",
+          &duration_error),
+      add("peak-force", "-", "Relative error of the largest contact force of the first contact.", &peak_force_error),
+      add("impulse", "-", "Relative error of the impulse of the first contact, as a vector.", &impulse_error),
       add("restitution", "-",
-          "Difference of the coefficients of restitution of the first touch; free bodies, and what strikes one.",
+          "Difference of the coefficients of restitution of the first contact, by the shape's own mass: a mesh that "
+          "lacks volume shows it; free bodies, and what strikes one.",
           &restitution_error),
       add("force-error", "-", "Relative L2 error over time of the contact force.", &force_error),
-      add("energy-gain", "-",
-          "Largest gain of energy, losses in contact added back, by the kinetic energy at the first touch.",
-          &energy_gain),
-      add("momentum-defect", "-",
-          "How far the centroid is from where weight and contact impulses take it, by the way that the impulses make; "
-          "free bodies.",
-          &momentum_defect)};
-  for (Metric& metric : all) metric.of_answer_alone = metric.name == "energy-gain" || metric.name == "momentum-defect";
-  return all;
+      alone("touches",
+            "Touches in the first contact: 1 where it touches and lets go once, more where it chatters, 0 where it "
+            "never touches.",
+            &n_touches),
+      alone("energy-gain",
+            "Largest gain of energy, losses in contact added back, by the kinetic energy at the first touch.",
+            &energy_gain),
+      alone("energy-defect",
+            "Energy gained or lost from the first time to the last, losses in contact added back, by the kinetic "
+            "energy at the first touch; bodies without damping or loads.",
+            &energy_defect),
+      alone("momentum-defect",
+            "How far the centroid is from where weight and contact impulses take it, by the way that the impulses "
+            "make, by the shape's own mass: a mesh that lacks volume shows it; free bodies.",
+            &momentum_defect)};
 }
 
 }  // namespace mb

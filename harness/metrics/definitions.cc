@@ -22,8 +22,10 @@ const std::map<std::string, Origin>& origins() {
   static const std::string signal = "; s: of the answer, s*: of the truth; tau: weights of times (trapezoidal rule)";
   static const std::string touch = "mechanics/contact/touches.h";
   static const std::string first =
-      "; of the first touch, from t_0 to t_1, separations shorter than a tenth of the longer touch beside them "
-      "included; *: the truth";
+      "; of the first contact: the first touch and all that begin before the truth's first touch has ended plus half "
+      "of "
+      "its duration, from t_0 of the first to t_1 of the last; separations shorter than a tenth of the longer touch "
+      "beside them are none; *: the truth";
   static const std::map<std::string, Origin> all = {
       {"displacement-error",
        {"sqrt(sum_t tau sum_i w_i rho |u_i - u*_i|^2 / sum_t tau sum_i w_i rho |u*_i|^2)" + u + weights,
@@ -58,7 +60,13 @@ const std::map<std::string, Origin>& origins() {
       {"first-touch", {"|t_0 - t_0*|, t_0 the time at which surfaces first meet; *: the truth", touch}},
       {"contact-duration", {"|T - T*| / T*, T = t_1 - t_0" + first, touch}},
       {"peak-force", {"|F - F*| / F*, F = max_t |f(t)|, f: all contact forces on the body" + first, touch}},
-      {"impulse", {"|J - J*| / |J*|, J = int f dt by the integrator's own quadrature" + first, touch}},
+      {"impulse",
+       {"|J - J*| / |J*|, J = sum of int f dt over the touches by the integrator's own quadrature" + first, touch}},
+      {"touches", {"number of touches n" + first, touch}},
+      {"energy-defect",
+       {"|E(T) + D(T) - E(0)| / max(m v^2 / 2, max_t S(t), max_t W(t)), T: last time, 0: first; the rest as in "
+        "energy-gain",
+        "conservation of energy"}},
       {"restitution",
        {"|e - e*|, e = -(v + J/m + g (t_1 - t_0)) . j / (v . j), j = J/|J|, v: velocity of the centroid at t_0; of a "
         "ball that strikes the body |J|/(m v) - 1, m and v: the ball's" +

@@ -81,14 +81,14 @@ ContactStage::Outcome ContactStage::solve(const Shifted& A, const VectorXd& a, d
       pushed(J) = K * step_J;
       step += response(pushed);
     }
+    // The part taken is that of the last residual, whether it fell or not: forces and tangent are of there.
     double part = 1;
-    VectorXd r_next;
-    for (int halving = 0; halving < max_halvings; ++halving, part /= 2) {
-      r_next = residual_at(v_C + part * step);
-      if (largest(r_next) < (1 - 0.1 * part) * size) break;
+    r = residual_at(v_C + step);
+    for (int halving = 0; halving < max_halvings && !(largest(r) < (1 - 0.1 * part) * size); ++halving) {
+      part /= 2;
+      r = residual_at(v_C + part * step);
     }
     v_C += part * step;
-    r = std::move(r_next);
   }
   if (!known_.empty() && !f.isZero(0))
     v.noalias() += gamma * (inverse_.leftCols(static_cast<Index>(known_.size())) * f(known_));

@@ -91,6 +91,34 @@ INSTANTIATE_TEST_SUITE_P(
                       Contact{{}, tilted(), {1e8, 0, Friction{0.5, 0.01}}, {1, 1}},
                       Contact{{}, {Sphere{1}, 0, {Vector3d(0.05, 0, -1), {1, 0, 0, 0}}}, {1e8, 0.5, {}}, {1, 1}}));
 
+// What lifts A out of a stiff floor presses B, exactly on it, which the tangent at the start knows nothing of; B throws
+// up C, far above and light, whose residual is the largest and grows however short the step is: no halving helps, and
+// the shortest is taken. With the tangent of where that ended the next step is exact: the law is linear.
+TEST(ContactStage, GoesOnFromWhereTheLineSearchGaveUp) {
+  Chain chain(3);
+  const std::vector<Index> z{2, 5, 8};
+  MatrixXd M = 0.02 * MatrixXd::Identity(9, 9);
+  M(z, z) = 0.02 * (Eigen::Matrix3d() << 1, -2, -2, -2, 9, -2, -2, -2, 20).finished().inverse();
+  chain.system.M = M.sparseView();
+  chain.system.K = SparseMatrix(9, 9);
+  chain.system.damping = {0, 0};
+  ContactPoints nodes{Matrix3Xd::Zero(3, 3), VectorXd::Ones(3), SparseMatrix(9, 9)};
+  nodes.U.setIdentity();
+  const std::vector<Contact> contacts{{nodes, floor(), {1e8, 0, {}}, {1, 1}}};
+  const ContactForces forces(contacts);
+  ContactStage stage(forces, 9);
+  const double gamma = 1e-3;
+  const Shifted A(chain.system, gamma);
+  VectorXd a = VectorXd::Zero(9), v = VectorXd::Zero(9);
+  a[2] = -1e-3;
+  a[8] = 1;
+  const auto outcome = stage.solve(A, a, gamma, 1e-9, v);
+  EXPECT_TRUE(outcome.converged);
+  EXPECT_LE(outcome.iterations, 3);  // one more for rounding: the first residual is 1e10 times the tolerance
+  const VectorXd u = a + gamma * v;
+  EXPECT_LT(std::max(std::abs(u[2]), std::abs(u[5])), 1e-6);  // on the floor, which gives way by 20 N / 1e8 Pa/m
+}
+
 TEST(ContactStage, WithoutTouchLeavesTheLinearSolution) {
   const Chain chain(4);
   const std::vector<Contact> contacts{{points(4), floor(), {1e9, 0, {}}, {1, 1}}};

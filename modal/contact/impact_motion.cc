@@ -61,7 +61,8 @@ class Run {
       const BodyFlight flight(plan_.body, now.body, t);
       motion_.flights.push_back({t, now.body});
       const auto touch = next_touch(plan_, flight, end, leaving);
-      fly(flight, touch ? touch->t : end, now);
+      const double until = touch ? touch->t : std::numeric_limits<double>::infinity();
+      fly(flight, until, now);
       if (!touch) break;
       const bool worth = touch->decided && touch->t - t > worthwhile * plan_.step;
       patience_ = worth ? least_patience : std::min(2 * patience_, most_patience);
@@ -90,7 +91,7 @@ class Run {
   }
 
   void fly(const BodyFlight& flight, double end, const ContactState& since) {
-    while (more() && next_time() <= end) {
+    while (more() && next_time() < end) {
       BodyState body = flight.at(next_time());
       ++motion_.work.load_evaluations;
       const double energy = mechanical_energy(plan_.body, body);
@@ -108,6 +109,7 @@ class Run {
     stepper_.touch(now);
     log_.meet(start);
     note(start, now);
+    look_at(start, now);
     ContactState before;
     double t = start;
     int n_clear = 0, n_parting = 0, patience = patience_;  // steps in succession
@@ -152,6 +154,12 @@ class Run {
   // Whether the surface of a body of which no sample has pressed as yet goes on into an obstacle: it is one touch.
   bool comes_in(const BodyState& body, double t) const {
     return next_touch(plan_, BodyFlight(plan_.body, body, t), t + plan_.step, true).has_value();
+  }
+
+  // At the touch itself: a body may press from the start.
+  void look_at(double t, const ContactState& now) {
+    while (more() && next_time() <= t)
+      record(now.body, now.load.force, now, now.load.stored, mechanical_energy(plan_.body, now.body) + now.load.stored);
   }
 
   void look_between(double t_before, const ContactState& a, const ContactState& b) {

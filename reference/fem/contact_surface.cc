@@ -3,6 +3,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace mb::fem {
@@ -14,6 +15,7 @@ constexpr double looks_away = -0.1;  // [-] cosine
 Vector3d vector(const dealii::Tensor<1, 3>& x) { return {x[0], x[1], x[2]}; }
 
 bool may_touch(const dealii::FEFaceValues<3>& face, const RigidSurface& surface, double reach) {
+  if (std::isinf(reach) && !std::holds_alternative<HalfSpace>(surface.shape)) return true;
   for (unsigned q = 0; q < face.n_quadrature_points; ++q) {
     const Gap at = gap(surface, vector(face.quadrature_point(q)));
     if (at.value < reach && at.normal.dot(vector(face.normal_vector(q))) < looks_away) return true;

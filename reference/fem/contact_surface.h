@@ -11,8 +11,10 @@
 namespace mb::fem {
 
 // Every face that somewhere lies within `reach` [m] of the obstacle and looks at it: outward normal . obstacle's normal
-// below -0.1. p + 3 points a direction. surface: in the body's axes, as it stands at the first touch. U has
-// discretisation n_dofs columns. Throws std::invalid_argument where there is no such face.
+// below -0.1. `reach` infinity: of a half-space all that look at it, of others, which a moving body may meet from any
+// side, every face of the boundary. Points come in the order of the faces, whatever `reach` is. p + 3 points a
+// direction. surface: in the body's axes, as it stands at the first touch. U has discretisation n_dofs columns. Throws
+// std::invalid_argument where there is no such face.
 ContactPoints contact_points(const Discretisation& d, const RigidSurface& surface, double reach);
 
 }  // namespace mb::fem
