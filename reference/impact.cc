@@ -34,11 +34,11 @@ class PreparedImpact final : public Prepared {
     if (!integrator.prepare_in_contact)
       throw std::invalid_argument("integrator '" + integrator.name + "' has no steps for full order in contact");
     free_ = !is_held(body_);
-    start_ = std::min(touchdown_.t, scene_->duration);
+    start_ = free_ ? std::min(touchdown_.t, scene_->duration) : 0;  // what is held moves at once: its weight bends it
     velocity_ = to_axes(body_.twist.velocity);
     gravity_ = to_axes(scene_->gravity);
     if (free_) system_.v0 = full_->translation(velocity_ + start_ * gravity_);
-    if (!(touchdown_.t < scene_->duration)) return;  // nothing is touched: closed form throughout
+    if (free_ && !(touchdown_.t < scene_->duration)) return;  // nothing is touched: closed form throughout
     for (const Meeting& meeting : touchdown_.meetings) contacts_.push_back(contact(meeting));
     stepper_ = integrator.prepare_in_contact(system_, contacts_, settings, scene_->duration - start_);
   }
@@ -102,7 +102,8 @@ class PreparedImpact final : public Prepared {
     return {full_->contact_points(seen, reach_to(meeting, seen)),
             seen,
             law_of(pair, meeting.size),
-            {scale.approach, scale.speed}};
+            {scale.approach, scale.speed},
+            meeting.t <= start_};
   }
 
   // Throws std::runtime_error for an answer beyond what is simulated here, with what came first. One that an explicit

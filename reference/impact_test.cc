@@ -8,6 +8,7 @@
 #include "mechanics/contact/contact_steppers.h"
 #include "reference/full_model.h"
 #include "reference/full_order.h"
+#include "reference/static_answer.h"
 #include "reference/sundials/sundials.h"
 
 namespace mb {
@@ -142,6 +143,35 @@ TEST(Impact, HeldBackFromWhatItCannotDo) {
     EXPECT_NE(std::string(error.what()).find("starts 0.001 m within obstacle 'floor'"), std::string::npos)
         << error.what();
   }
+}
+
+// It does not fly: its weight bends it until it lies on what is below.
+TEST(Impact, WhatIsHeldSagsOntoAnObstacle) {
+  const double gap = 1e-3, L = 0.4, b = 0.04;
+  Scene scene = one_body(Box{{L, b, b}}, {1e8, 0.3, 1100, {}}, {2, {4, 1, 1}});
+  scene.bodies[0].supports = {testing::support(Support::Kind::fixed, testing::face("x-min"))};
+  scene.bodies[0].damping = {0, 2e-4};
+  scene.bodies[0].pose.position = {0, 0, b / 2 + gap};
+  scene.gravity = {0, 0, -g};
+  scene.obstacles.push_back({"floor", {HalfSpace{}, 0, {}}});
+  scene.contacts.push_back({.body = scene.bodies[0].name, .obstacle = "floor", .stiffness = 0});
+  scene.duration = 0.08;
+  scene.loads.clear();
+  const Drop held(scene);
+  Settings settings;
+  settings.relative_tolerance = 1e-4;
+  const Trajectory answer = held.run(arkode(), settings);
+  ASSERT_EQ(answer.status, Status::ok);
+  const BodyTrajectory& body = answer.bodies[0];
+  ASSERT_FALSE(body.contact.touches.empty());
+  // Euler and Bernoulli's first mode: u = 1.566 g (1 - cos(omega t))/omega^2 at the tip, of the second mode 3 % of it.
+  const double omega = 3.516 / (L * L) * std::sqrt(1e8 * b * b / (12 * 1100));
+  const double t_first = std::acos(1 - gap * omega * omega / (1.566 * g)) / omega;
+  EXPECT_NEAR(body.contact.touches[0].start, t_first, 0.04 * t_first);
+  // Alone it sags by rho g A L^4/(8 E I), 2.6 mm, and twice that at first; the floor holds it within its layer.
+  const double lowest = body.displacement.minCoeff();
+  EXPECT_LT(lowest, -0.95 * gap);
+  EXPECT_GT(lowest, -1.05 * gap);
 }
 
 TEST(Impact, NothingIsTouchedWithinTheDuration) {

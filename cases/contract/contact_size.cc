@@ -15,6 +15,7 @@ namespace {
 constexpr double flat = 0.05;           // [-] curvature by extent below which a contact is not a point
 constexpr double sharpest = 50;         // [-] curvature by extent: edges and corners count as rounded off
 constexpr double widest = 0.5;          // [-] contact radius by radius of curvature: beyond, Hertz's says nothing
+constexpr double rounding = 1e-12;      // [-] of the wave speed
 constexpr double unpressed = 1e-3;      // [-] approach by extent, where nothing is known to press
 constexpr double layer_stiffness = 100; /* [-] k_n a / E* */
 
@@ -85,7 +86,9 @@ ContactSize flat_contact(const Press& press, const Body& body, double modulus, d
 ContactSize contact_size(const Body& body, const ContactPair& pair, const Vector3d& X, const Pose& pose, const Gap& at,
                          double speed, const Vector3d& gravity) {
   const double mass = body.material.density * volume(body.shape);
-  Press press{mass, speed, std::max(0.0, -mass * gravity.dot(at.normal)), 0};
+  const double c = std::sqrt(youngs_modulus(body.material) / body.material.density);
+  const double felt = speed > rounding * c ? speed : 0;  // along a wall the speed towards it is rounding
+  Press press{mass, felt, std::max(0.0, -mass * gravity.dot(at.normal)), 0};
   if (!(press.speed > 0 || press.weight > 0)) press.approach = unpressed * extent(body.shape);
   const Eigen::Vector2d k = curvatures(body, X, pose, at);
   const double modulus = contact_modulus_of(body.material), l = extent(body.shape);

@@ -34,8 +34,8 @@ class FullModel {
   // degrees of freedom; of full rank, columns of comparable size. A free body: 3, 12, 30 columns for degree 0, 1, 2.
   virtual MatrixXd polynomials(int degree) const = 0;
   // Points of the boundary that may touch an obstacle, which stands in the body's axes as at the first touch: faces
-  // within `reach` [m] of it that look at it. Throws std::invalid_argument where there is none.
-  // Throws std::logic_error of a model that cannot touch, likewise `translation`.
+  // within `reach` [m] of it that look at it; infinity: all of the boundary. Throws std::invalid_argument where there
+  // is none. Throws std::logic_error of a model that cannot touch, likewise `translation`.
   virtual ContactPoints contact_points(const RigidSurface& surface, double reach) const;
   // Unknowns that move a body without supports by `direction` [m]: n.
   virtual VectorXd translation(const Vector3d& direction) const;

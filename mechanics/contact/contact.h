@@ -25,6 +25,7 @@ struct Contact {
   RigidSurface surface;  // in the body's axes
   PenaltyLaw law;
   ContactScale scale;
+  bool meets = true;  // the surfaces, at the start; points between may press a little later
 };
 
 }  // namespace mb

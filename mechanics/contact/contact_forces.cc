@@ -36,6 +36,10 @@ void require_consistent(const Contact& contact, Index n) {
 
 }  // namespace
 
+bool ContactForces::meet() const {
+  return std::ranges::any_of(parts_, [](const Part& part) { return part.contact->meets; });
+}
+
 ContactForces::ContactForces(const std::vector<Contact>& contacts) {
   std::set<Index> all;
   for (const Contact& contact : contacts) {

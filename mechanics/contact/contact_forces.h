@@ -33,6 +33,7 @@ class ContactForces {
   };
   ContactSum operator()(const VectorXd& u, const VectorXd& v, VectorXd& f, Tangent& tangent) const;
 
+  bool meet() const;                                                   // any contact's surfaces, at the start
   VectorXd gather(const VectorXd& x) const { return x(dofs_); }        // n -> C
   void add(const VectorXd& f, VectorXd& to) const { to(dofs_) += f; }  // C -> n
 

@@ -7,7 +7,7 @@ namespace mb {
 const ContactSum& ContactRecord::add(double t, const VectorXd& u, const VectorXd& v) {
   const ContactSum now = forces_(forces_.gather(u), forces_.gather(v), f_);
   Moment moment{t, Vector3d::Zero(), 0};
-  if (moments_.empty()) log_.meet(t);  // steps begin at the first touch
+  if (moments_.empty() && forces_.meet()) log_.meet(t);
   if (!moments_.empty()) {
     const Moment& before = moments_.back();
     const double half = (t - before.t) / 2;

@@ -65,6 +65,7 @@ class SundialsInContact final : public Stepper {
       : system_(system),
         accuracy_{tolerance, scales_of(contacts), false, 0},
         load_(VectorXd::Zero(system.u0.size())),
+        meet_(std::ranges::any_of(contacts, &Contact::meets)),
         parts_(system, accuracy_.scales.displacement / accuracy_.scales.velocity / 100, contacts) {
     const auto& [displacement, velocity] = accuracy_.scales;
     accuracy_.longest_step = std::min(duration / 4, longest_step * displacement / velocity);
@@ -79,7 +80,7 @@ class SundialsInContact final : public Stepper {
     out.contact = {Matrix3Xd(3, n_t), Matrix3Xd(3, n_t), VectorXd(n_t), VectorXd(n_t), {}};
     ark::Run run(system_, parts_, accuracy_);
     TouchLog log;
-    log.meet(0);
+    if (meet_) log.meet(0);
     StepEnd last = end(run, 0), now = last;
     note(last, log);
     while (out.n_valid < n_t) {
@@ -120,6 +121,7 @@ class SundialsInContact final : public Stepper {
   const System& system_;
   ark::Accuracy accuracy_;
   VectorXd load_;  // [N] steady
+  bool meet_;      // any surfaces, at the start
   mutable ark::Parts parts_;
 };
 
