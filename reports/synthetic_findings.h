@@ -185,9 +185,9 @@ inline std::vector<Finding> of_collision(const std::string& case_name) {
 
 // A half sine, of which few modes see less; and what the parts of a run take.
 inline std::vector<Finding> of_contact(const std::string& case_name) {
-  Finding force = finding(case_name, "force-history", "force-history",
+  Finding force = finding(case_name, "contact", "force-history",
                           {{"contender", ""}, {"modes r", ""}, {"time", "s"}, {"normal force", "N"}});
-  Finding time = finding(case_name, "contact-time", "contact-time",
+  Finding time = finding(case_name, "contact", "contact-time",
                          {{"method", ""}, {"modes r", ""}, {"dt", "s"}, {"part", ""}, {"time", "s"}, {"share", "-"}});
   for (const int r : {0, 4, 64}) {
     for (int k = 0; k <= 60; ++k) {
