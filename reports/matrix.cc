@@ -83,8 +83,7 @@ Sheet matrix_table(const Evaluation& evaluation) {
               .note =
                   "Least displacement error against exact, or finer where no closed form is known, over the runs of "
                   "each contender, and the setting that gave "
-                  "it. ✔ within 1 % with its error bar, ▲ not, ⚡ unstable (an explicit integrator beyond its step "
-                  "limit), ✘ failed "
+                  "it. ✔ within 1 % with its error bar, ▲ not, ⚡ unstable (steps beyond the integrator's limit), ✘ failed "
                   "otherwise, – not run in this case.",
               .columns = {{"contender", ""}},
               .rows = {},

@@ -197,7 +197,7 @@ TEST(Probes, StandInTableAndFiguresWithTheirVonMisesError) {
 
 TEST(Verdict, SaysNoMoreOfUnstableRunsThanIsKnown) {
   EXPECT_THAT(verdict_of(evaluate(synthetic::input())).sentences,
-              testing::Contains("1 explicit run is unstable: its step is beyond the limit."));
+              testing::Contains("1 run is unstable: its step is beyond the limit."));
 }
 
 TEST(Definitions, StandOnceAndTimesComeFromTheirMetrics) {

@@ -47,7 +47,7 @@ double accuracy(const Contender& contender);  // time step [s] or tolerance [-],
 bool is_of_truth(const Record& record);       // says something of a truth alone: its metric is named truth-...
 bool is_mark(const Record& record);           // a contender against a truth, unlike times, load errors, truth-...
 bool is_usable(const Record& record);         // status ok and a finite value
-bool is_unstable(const Record& record);       // an explicit integrator beyond its step limit: a result
+bool is_unstable(const Record& record);       // steps beyond the limit of its integrator: a result
 bool is_undefined(const Record& record);      // the metric has no meaning here: no fault of the contender
 // The truth that a run is held to by that metric: `exact` where a closed form graded it, `finer` otherwise.
 std::string best_truth(const Run& run, const std::string& metric);

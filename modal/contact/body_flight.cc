@@ -11,7 +11,8 @@ BodyFlight::BodyFlight(const FloatingBody& body, const BodyState& start, double 
     : body_(body), start_(start), t0_(t0), axes_(1, 0, 0, 0) {
   start_.s.conservativeResize(body.n_static());
   if (body.static_damping == 0) start_.s.setZero();  // no force, no static shape
-  if (!body.free || start.L.isZero(0)) return;
+  if (body.free && body.coupling) coupled_.emplace(body, start_, t0);
+  if (!body.free || body.coupling || start.L.isZero(0)) return;
   const PrincipalAxes principal = principal_axes(body.inertia);
   axes_ = principal.axes;
   const Vector3d Omega = start.Q.conjugate() * angular_velocity(body, start);
@@ -19,7 +20,7 @@ BodyFlight::BodyFlight(const FloatingBody& body, const BodyState& start, double 
 }
 
 BodyState BodyFlight::at(double t) const {
-  BodyState now = start_;
+  BodyState now = coupled_ ? coupled_->at(t) : start_;
   const double tau = t - t0_;
   if (body_.free) {
     now.c += tau * start_.v + (tau * tau / 2) * body_.gravity;
@@ -27,6 +28,7 @@ BodyState BodyFlight::at(double t) const {
     if (rotation_) now.Q = rotation_->at(tau).orientation * axes_.conjugate();
   }
   if (body_.static_damping > 0) now.s *= std::exp(-tau / body_.static_damping);
+  if (coupled_) return now;
   for (Index i = 0; i < body_.n_modes(); ++i) {
     const Response x = response(body_.modes[static_cast<size_t>(i)], tau);
     now.q[i] = x.C * start_.q[i] + x.S * start_.p[i] + x.P * body_.weight[i];

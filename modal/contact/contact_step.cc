@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "modal/contact/turn.h"
 
@@ -17,6 +18,9 @@ std::optional<ContactScheme> contact_scheme(const std::string& integrator) {
 ContactStepper::ContactStepper(const FloatingBody& body, ContactScheme scheme, double h)
     : body_(body), scheme_(scheme), h_(h), loads_(body) {
   if (!(h > 0 && std::isfinite(h))) throw std::invalid_argument("contact: the step must be positive and finite");
+  if (body.coupling && scheme != ContactScheme::exact)
+    throw std::invalid_argument("contact: of a body whose rotation and modes are coupled only 'exact' has steps");
+  if (body.coupling) coupled_.emplace(body, h);
   const Index r = body.n_modes();
   for (VectorXd* x : {&lambda_, &c_, &C_, &S_, &C_dot_, &S_dot_, &P_, &scratch_}) x->resize(r);
   for (Index i = 0; i < r; ++i) {
@@ -35,8 +39,13 @@ void ContactStepper::touch(ContactState& state) {
 }
 
 void ContactStepper::look(ContactState& state) {
-  loads_(state.body, angular_velocity(body_, state.body), state.load);
   ++n_evaluations_;
+  BodyState& b = state.body;
+  if (!body_.coupling) return loads_(b, angular_velocity(body_, b), state.load);
+  const Spin now = spin(body_, b);
+  const VectorXd momenta = std::exchange(b.p, now.rate);  // contact feels velocities
+  loads_(b, b.Q * now.Omega, state.load);
+  b.p = momenta;
 }
 
 void ContactStepper::look_ahead(ContactState& state) {
@@ -71,6 +80,10 @@ void ContactStepper::drift(BodyState& b) const {
   if (body_.free) {
     b.c += h_ * b.v + (h_ * h_ / 2) * body_.gravity;
     b.v += h_ * body_.gravity;
+    if (coupled_) {
+      b = coupled_->advance(std::move(b));
+      return;
+    }
     turn(b, h_);
   }
   const auto &q = b.q.array(), &p = b.p.array();
@@ -112,20 +125,6 @@ bool ContactStepper::advance(ContactState& state) {
       return advance_by_newmark(state);
   }
   throw std::logic_error("no such scheme");
-}
-
-Vector3d angular_velocity(const FloatingBody& body, const BodyState& state) {
-  if (!body.free || state.L.isZero(0)) return Vector3d::Zero();
-  return state.Q * body.inertia.ldlt().solve(state.Q.conjugate() * state.L);
-}
-
-double mechanical_energy(const FloatingBody& body, const BodyState& state) {
-  double energy = 0.5 * state.p.squaredNorm() - body.weight.dot(state.q);
-  for (Index i = 0; i < body.n_modes(); ++i)
-    energy += 0.5 * body.modes[static_cast<size_t>(i)].k * state.q[i] * state.q[i];
-  if (!body.free) return energy;
-  return energy + 0.5 * body.mass * state.v.squaredNorm() + 0.5 * angular_velocity(body, state).dot(state.L) -
-         body.mass * body.gravity.dot(state.c);
 }
 
 }  // namespace mb

@@ -7,13 +7,15 @@
 //   symplectic-euler   rates with the forces at the start, then places with these rates: order 1, explicit
 //   newmark            average acceleration of frame and modes, contact at the end implicit: order 2
 //
-// Angular momentum is kept exactly but for the torques; the frame turns by the angular velocity half way, order 2.
+// Angular momentum is kept exactly but for the torques; the frame turns by the angular velocity half way, order 2. Of a
+// body with coupling frame and modes go on together between the kicks (coupled_flow.h); only `exact` has such steps.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "modal/contact/contact_load.h"
+#include "modal/contact/coupled_flow.h"
 
 namespace mb {
 
@@ -30,7 +32,8 @@ struct ContactState {
 
 class ContactStepper {
  public:
-  ContactStepper(const FloatingBody& body, ContactScheme scheme, double h);  // h [s] > 0; the body must outlive this
+  // h [s] > 0; the body must outlive this
+  ContactStepper(const FloatingBody& body, ContactScheme scheme, double h);
   void touch(ContactState& state);  // begins: evaluates the load of its body, static shapes having no rate
   // false where Newton's method, of the step or of the static shapes, does not converge
   bool advance(ContactState& state);
@@ -51,6 +54,7 @@ class ContactStepper {
   ContactScheme scheme_;
   double h_;
   ContactLoads loads_;
+  std::optional<CoupledFlow> coupled_;
   Eigen::Matrix3d inverse_inertia_;
   VectorXd lambda_, c_;                 // of modes
   VectorXd C_, S_, C_dot_, S_dot_, P_;  // of modes over h
@@ -58,9 +62,5 @@ class ContactStepper {
   bool has_before_ = false;
   long n_evaluations_ = 0;
 };
-
-Vector3d angular_velocity(const FloatingBody& body, const BodyState& state);  // [rad/s] world
-// [J] kinetic and strain energy and that of the weight from c = 0 on, without what contact holds.
-double mechanical_energy(const FloatingBody& body, const BodyState& state);
 
 }  // namespace mb

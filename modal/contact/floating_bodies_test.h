@@ -2,6 +2,7 @@
 // them, and all else is as of a body with modes of its own.
 #pragma once
 
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -33,6 +34,26 @@ inline PolynomialBasis random_modes(const Shape& shape, int degree, Index r, dou
   return {monomials, a};
 }
 
+// r modes of that degree, M-orthonormal and free of momentum over the shape's volume, rho = 1000: those of a body whose
+// rotation may be coupled to them.
+inline PolynomialBasis momentless_modes(const Shape& shape, int degree, Index r, unsigned seed) {
+  const Monomials monomials(degree, Vector3d::Zero(), half_box(shape));
+  MatrixXd a = MatrixXd::Zero(3 * monomials.size(), 6 + r);
+  for (Index i = 0; i < 3; ++i) {
+    a(i, i) = 1;
+    for (Index k = 0; k < 3; ++k)  // e_i x X
+      a.block<3, 1>(3 * monomial_index(k == 0, k == 1, k == 2), 3 + i) =
+          monomials.half_extents()[k] * Vector3d::Unit(i).cross(Vector3d::Unit(k));
+  }
+  a.rightCols(r) = random_modes(shape, degree, r, 1, seed).coefficients();
+  const Quadrature volume = volume_quadrature(shape);
+  const MatrixXd P = PolynomialBasis(monomials, a).at(volume.points);
+  const VectorXd mass = 1000 * volume.weights.replicate(1, 3).transpose().reshaped();
+  const MatrixXd G = P.transpose() * mass.asDiagonal() * P;
+  const MatrixXd of_unit_mass = G.llt().matrixU().solve<Eigen::OnTheRight>(a);
+  return {monomials, of_unit_mass.rightCols(r)};
+}
+
 // One mode that swells a sphere of that radius: phi = size X / radius.
 inline PolynomialBasis swelling(double radius, double size) {
   MatrixXd a = MatrixXd::Zero(12, 1);
@@ -43,6 +64,12 @@ inline PolynomialBasis swelling(double radius, double size) {
 inline FloatingBody floating(const Shape& shape, const std::vector<Roots>& modes, const Vector3d& gravity) {
   const MassProperties of = mass_properties(shape, 1000);
   return {true, of.mass, of.inertia, gravity, modes, VectorXd::Zero(static_cast<Index>(modes.size())), {}, {}};
+}
+
+inline std::shared_ptr<const SpinCoupling> coupling_of(const Shape& shape, const PolynomialBasis& modes) {
+  const Quadrature volume = volume_quadrature(shape);
+  return std::make_shared<const SpinCoupling>(
+      spin_coupling(volume.points, 1000 * volume.weights, modes.at(volume.points)));
 }
 
 // All of the surface, in cells of that size [m], 2 x 2 points each; the finest at the foci if there are any.

@@ -5,8 +5,8 @@
 //   K_s (s + beta s') = sum Psi^T Q^T f      static shapes, massless
 //
 // Elastic modes are M-orthogonal to rigid motion, so that to first order in q nothing couples but through contact:
-// centrifugal and gyroscopic terms are left out. A body that supports hold has no rigid part: c and Q stand still, and
-// what rigid motion its supports leave is among its modes (lambda = 0).
+// centrifugal and gyroscopic terms are left out unless the body has a coupling (spin.h). A body that supports hold has
+// no rigid part: c and Q stand still, and what rigid motion its supports leave is among its modes (lambda = 0).
 #pragma once
 
 #include <memory>
@@ -27,6 +27,7 @@ struct SurfaceSamples {
 };
 
 struct SampleTables;  // sample_tables.h
+struct SpinCoupling;  // spin.h
 
 struct SampledContact {
   SurfaceSamples samples;
@@ -45,6 +46,8 @@ struct FloatingBody {
   MatrixXd static_stiffness;  // K_s [J] n_s x n_s, SPD
   std::vector<SampledContact> contacts;
   double static_damping = 0; /* beta [s] >= 0, of Rayleigh's damping */
+  // Of a free body: how its spin strains it and its modes turn it. None: its rotation is a rigid body's.
+  std::shared_ptr<const SpinCoupling> coupling = nullptr;
 
   Index n_modes() const { return static_cast<Index>(modes.size()); }
   Index n_static() const { return static_stiffness.rows(); }
@@ -54,7 +57,7 @@ struct BodyState {
   Vector3d c, v;         // [m], [m/s] of the frame, world
   Eigen::Quaterniond Q;  // of unit length
   Vector3d L;            // [kg m^2/s] angular momentum about c, world
-  VectorXd q, p;         // [m kg^1/2], [m kg^1/2 / s] r: modes and their rates
+  VectorXd q, p;         // [m kg^1/2], [m kg^1/2 / s] r: modes and their rates; with a coupling momenta, q' + C^T Omega
   VectorXd s;            // [-] n_s
 };
 

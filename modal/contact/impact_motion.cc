@@ -63,7 +63,9 @@ class Run {
       const auto touch = next_touch(plan_, flight, end, leaving);
       const double until = touch ? touch->t : std::numeric_limits<double>::infinity();
       fly(flight, until, now);
-      if (!touch) break;
+      motion_.work.steps += flight.n_steps();
+      if (flight.failed()) motion_.status = Status::no_convergence;
+      if (!touch || flight.failed()) break;
       const bool worth = touch->decided && touch->t - t > worthwhile * plan_.step;
       patience_ = worth ? least_patience : std::min(2 * patience_, most_patience);
       t = touch->t;
@@ -97,6 +99,7 @@ class Run {
       const double energy = mechanical_energy(plan_.body, body);
       record(std::move(body), Vector3d::Zero(), since, 0, energy);
     }
+    if (flight.failed()) motion_.states.resize(n_sound_);
     n_sound_ = motion_.states.size();
   }
 

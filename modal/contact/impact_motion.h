@@ -3,7 +3,8 @@
 //
 //   flight -- first_touch --> steps h from that very time -- no sample presses and the gap grows --> flight
 //
-// No step is taken in flight, and no contact is evaluated where bodies cannot meet.
+// No step is taken in flight, but where rotation and modes are coupled (coupled_flow.h), and no contact is evaluated
+// where bodies cannot meet.
 #pragma once
 
 #include "mechanics/system/system.h"
@@ -34,7 +35,7 @@ struct ImpactMotion {
   ContactHistory contact;            // at the same times
   VectorXd energy;                   // [J] mechanical and stored
   std::vector<FlightBegun> flights;  // whose end was searched for
-  Work work;                         // steps: in contact; load evaluations: of contact, in closed form or steps
+  Work work;  // steps: in contact and of coupled flight; load evaluations: of contact, in closed form or steps
   Status status = Status::ok;
 };
 

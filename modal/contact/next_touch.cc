@@ -8,7 +8,7 @@
 
 #include "mechanics/contact/first_touch.h"
 #include "mechanics/contact/first_touch_support.h"
-#include "modal/contact/contact_step.h"
+#include "modal/contact/flight_bounds.h"
 
 namespace mb {
 
@@ -28,11 +28,7 @@ Eigen::Matrix3d cross_matrix(const Vector3d& w) {
 class FloatingMotion final : public BodyMotion {
  public:
   FloatingMotion(const ImpactPlan& plan, const BodyFlight& flight)
-      : plan_(plan), flight_(flight), start_(flight.at(flight.start())), circumradius_(circumradius(plan.shape)) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> moments(plan.body.inertia);
-    spin_up_ = plan.body.free ? moments.eigenvalues()[2] / moments.eigenvalues()[0] : 0;
-    spin_ = plan.body.free ? start_.L.norm() / moments.eigenvalues()[0] : 0;
-  }
+      : plan_(plan), flight_(flight), circumradius_(circumradius(plan.shape)) {}
 
   void at(double t, std::span<const Vector3d> X, std::span<PointMotion> out) const override {
     if (t != t_) look(t);
@@ -47,13 +43,11 @@ class FloatingMotion final : public BodyMotion {
   }
 
   MotionBounds bounds(double ta, double tb) const override {
-    const ShapeBounds& shapes = plan_.bounds;
     if (ta != t_) look(ta);  // what is damped away by then bounds nothing
-    const AmplitudeBounds a = amplitude_bounds(plan_.body, state_.q, state_.p, tb - ta);
-    const double u = a.q.dot(shapes.value), u_t = a.p.dot(shapes.value), u_tt = a.a.dot(shapes.value);
+    const FlightBounds b = flight_bounds(plan_.body, plan_.bounds, state_, tb - ta).value();
     return {plan_.body.free ? plan_.body.gravity : Vector3d::Zero(),
-            (1 + spin_up_) * spin_ * spin_ * (circumradius_ + u) + 2 * spin_ * u_t + u_tt, a.q.dot(shapes.bend),
-            a.p.dot(shapes.bend) + spin_ * a.q.dot(shapes.bend)};
+            (b.Omega_t + b.Omega * b.Omega) * (circumradius_ + b.u) + 2 * b.Omega * b.u_t + b.u_tt, b.bend,
+            b.bend_rate + b.Omega * b.bend};
   }
 
  private:
@@ -63,13 +57,12 @@ class FloatingMotion final : public BodyMotion {
     Q_ = state_.Q.toRotationMatrix();
     W_ = cross_matrix(angular_velocity(plan_.body, state_));
     deformation_.emplace(plan_.geometry.map(state_.q));
-    rate_.emplace(plan_.geometry.map(state_.p));
+    rate_.emplace(plan_.geometry.map(rates(plan_.body, state_)));
   }
 
   const ImpactPlan& plan_;
   const BodyFlight& flight_;
-  BodyState start_;
-  double circumradius_, spin_up_, spin_;
+  double circumradius_;
   mutable double t_ = std::numeric_limits<double>::quiet_NaN();
   mutable BodyState state_;
   mutable Eigen::Matrix3d Q_, W_;
@@ -86,10 +79,10 @@ std::vector<Window> windows(const ImpactPlan& plan, const BodyState& start, cons
                             double to) {
   if (!plan.body.free || !std::holds_alternative<HalfSpace>(surface.shape)) return {{from, to}};
   const Vector3d n = surface.pose.orientation * Vector3d::UnitZ();
-  const AmplitudeBounds a = amplitude_bounds(plan.body, start.q, start.p, to - from);
+  const FlightBounds bounds = flight_bounds(plan.body, plan.bounds, start, to - from).value();
   const Vector3d down = start.Q.conjugate() * -n;
-  const double reach = (start.L.isZero(0) ? down.dot(support_point(plan.shape, down)) : circumradius(plan.shape)) +
-                       a.q.dot(plan.bounds.value);
+  const double reach =
+      (bounds.Omega == 0 ? down.dot(support_point(plan.shape, down)) : circumradius(plan.shape)) + bounds.u;
   const double height = n.dot(start.c - surface.pose.position) - reach, climb = n.dot(start.v),
                pull = n.dot(plan.body.gravity);  // height + climb t + pull t^2/2 <= 0
   if (pull > 0) return {{from, to}};
@@ -118,6 +111,7 @@ std::optional<NextTouch> next_touch(const ImpactPlan& plan, const BodyFlight& fl
   if (!is_finite(start) || !plan.body.gravity.allFinite())
     throw std::invalid_argument("next touch: the state or the gravity of the body in flight is not finite");
   if (!(end > flight.start())) return std::nullopt;
+  if (!flight_bounds(plan.body, plan.bounds, start, end - flight.start())) return NextTouch{flight.start(), false};
   const double l = extent(plan.shape);
   const FloatingMotion motion(plan, flight);
   std::optional<NextTouch> earliest;

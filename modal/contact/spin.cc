@@ -1,0 +1,99 @@
+#include "modal/contact/spin.h"
+
+#include <stdexcept>
+
+namespace mb {
+
+namespace {
+
+constexpr std::array<std::array<int, 2>, 6> pairs{{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {2, 0}, {0, 1}}};
+
+// J of what has the second moments S, in the order of the pairs:  tr(S) 1 - S.
+Eigen::Matrix3d inertia_of(const Eigen::Vector<double, 6>& S) {
+  Eigen::Matrix3d J;
+  J << S[1] + S[2], -S[5], -S[4], -S[5], S[0] + S[2], -S[3], -S[4], -S[3], S[0] + S[1];
+  return J;
+}
+
+// Omega.J Omega/2 = sum over pairs of S times these.
+Eigen::Vector<double, 6> weights_of(const Vector3d& w) {
+  return {(w.y() * w.y() + w.z() * w.z()) / 2,
+          (w.z() * w.z() + w.x() * w.x()) / 2,
+          (w.x() * w.x() + w.y() * w.y()) / 2,
+          -w.y() * w.z(),
+          -w.z() * w.x(),
+          -w.x() * w.y()};
+}
+
+}  // namespace
+
+SpinCoupling spin_coupling(const Matrix3Xd& X, const VectorXd& masses, const MatrixXd& Phi) {
+  const Index m = X.cols(), r = Phi.cols();
+  if (masses.size() != m || Phi.rows() != 3 * m)
+    throw std::invalid_argument("spin coupling: points, masses and shapes differ in number");
+  std::array<MatrixXd, 3> phi, weighted;
+  for (Index a = 0; a < 3; ++a) {
+    phi[static_cast<size_t>(a)] = Phi(Eigen::seqN(a, m, 3), Eigen::all);
+    weighted[static_cast<size_t>(a)] = masses.asDiagonal() * phi[static_cast<size_t>(a)];
+  }
+  SpinCoupling coupling{MatrixXd(6, r), {}, {}};
+  for (size_t k = 0; k < 6; ++k) {
+    const auto a = static_cast<size_t>(pairs[k][0]), b = static_cast<size_t>(pairs[k][1]);
+    coupling.A.row(static_cast<Index>(k)) =
+        X.row(static_cast<Index>(a)) * weighted[b] + X.row(static_cast<Index>(b)) * weighted[a];
+    const MatrixXd B = phi[a].transpose() * weighted[b];
+    coupling.H[k] = B + B.transpose();
+    if (k >= 3) coupling.D[k - 3] = B - B.transpose();
+  }
+  return coupling;
+}
+
+Spin spin(const FloatingBody& body, const BodyState& state) {
+  const SpinCoupling& of = *body.coupling;
+  const Index r = body.n_modes();
+  MatrixXd HQ(r, 6), C(3, r);  // columns H q; C e_j = sum_i q_i D_ij
+  Eigen::Vector<double, 6> S = of.A * state.q;
+  for (size_t k = 0; k < 6; ++k) {
+    HQ.col(static_cast<Index>(k)).noalias() = of.H[k] * state.q;
+    S[static_cast<Index>(k)] += HQ.col(static_cast<Index>(k)).dot(state.q) / 2;
+  }
+  for (size_t c = 0; c < 3; ++c) C.row(static_cast<Index>(c)).noalias() = -(of.D[c] * state.q).transpose();
+  const Eigen::Matrix3d J = body.inertia + inertia_of(S);
+  const Vector3d Lambda = state.Q.conjugate() * state.L;
+  Spin now;
+  now.Omega = Eigen::Matrix3d(J - C * C.transpose()).ldlt().solve(Lambda - C * state.p);
+  now.carried.noalias() = C.transpose() * now.Omega;
+  now.rate = state.p - now.carried;
+  const Eigen::Vector<double, 6> w = weights_of(now.Omega);
+  now.force.noalias() = of.A.transpose() * w;
+  now.force.noalias() += HQ * w;
+  for (size_t c = 0; c < 3; ++c) now.force.noalias() += now.Omega[static_cast<Index>(c)] * (of.D[c] * now.rate);
+  return now;
+}
+
+Vector3d angular_velocity(const FloatingBody& body, const BodyState& state) {
+  if (!body.free) return Vector3d::Zero();
+  if (body.coupling) return state.Q * spin(body, state).Omega;
+  if (state.L.isZero(0)) return Vector3d::Zero();
+  return state.Q * body.inertia.ldlt().solve(state.Q.conjugate() * state.L);
+}
+
+VectorXd rates(const FloatingBody& body, const BodyState& state) {
+  return body.coupling ? spin(body, state).rate : state.p;
+}
+
+double mechanical_energy(const FloatingBody& body, const BodyState& state) {
+  double energy = -body.weight.dot(state.q);
+  for (Index i = 0; i < body.n_modes(); ++i)
+    energy += 0.5 * body.modes[static_cast<size_t>(i)].k * state.q[i] * state.q[i];
+  if (!body.free) return energy + 0.5 * state.p.squaredNorm();
+  if (body.coupling) {
+    const Spin now = spin(body, state);
+    energy += 0.5 * (state.Q * now.Omega).dot(state.L) + 0.5 * now.rate.dot(state.p);
+  } else {
+    energy += 0.5 * angular_velocity(body, state).dot(state.L) + 0.5 * state.p.squaredNorm();
+  }
+  return energy + 0.5 * body.mass * state.v.squaredNorm() - body.mass * body.gravity.dot(state.c);
+}
+
+}  // namespace mb
