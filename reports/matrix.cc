@@ -78,16 +78,17 @@ Sheet matrix_table(const Evaluation& evaluation) {
     cases.insert(name);
     count(outcomes[{!is_reduced(run.contender), family(run.contender)}][name], run);
   }
-  Sheet table{.name = "matrix",
-              .title = "Cases and contenders",
-              .note =
-                  "Least displacement error against exact, or finer where no closed form is known, over the runs of "
-                  "each contender, and the setting that gave "
-                  "it. ✔ within 1 % with its error bar, ▲ not, ⚡ unstable (steps beyond the integrator's limit), ✘ failed "
-                  "otherwise, – not run in this case.",
-              .columns = {{"contender", ""}},
-              .rows = {},
-              .n_keys = 0};
+  Sheet table{
+      .name = "matrix",
+      .title = "Cases and contenders",
+      .note =
+          "Least displacement error against exact, or finer where no closed form is known, over the runs of "
+          "each contender, and the setting that gave "
+          "it. ✔ within 1 % with its error bar, ▲ not, ⚡ unstable (steps beyond the integrator's limit), ✘ failed "
+          "otherwise, – not run in this case.",
+      .columns = {{"contender", ""}},
+      .rows = {},
+      .n_keys = 0};
   for (const std::string& name : cases) table.columns.push_back({name, "", Column::Kind::number});
   for (const auto& [key, by_case] : outcomes) {
     std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{text_cell(key.second)});
