@@ -25,14 +25,19 @@ void coupled_step(benchmark::State& state) {
   const Index r = state.range(0);
   const FloatingBody one = body(r);
   const CoupledFlow flow(one, step);
-  BodyState at{Vector3d::Zero(), Vector3d::Zero(), Eigen::Quaterniond::Identity(), Vector3d(0.01, 0.02, 0.03),
-               VectorXd::Constant(r, 1e-5), VectorXd::Zero(r), VectorXd(0)};
+  BodyState at{Vector3d::Zero(),
+               Vector3d::Zero(),
+               Eigen::Quaterniond::Identity(),
+               Vector3d(0.01, 0.02, 0.03),
+               VectorXd::Constant(r, 1e-5),
+               VectorXd::Zero(r),
+               VectorXd(0)};
   for (auto _ : state) {
     at = flow.advance(std::move(at));
     benchmark::DoNotOptimize(at.q.data());
   }
-  state.counters["flop/s"] = benchmark::Counter(static_cast<double>(state.iterations() * 5 * 12 * 2 * r * r),
-                                                benchmark::Counter::kIsRate);
+  state.counters["flop/s"] =
+      benchmark::Counter(static_cast<double>(state.iterations() * 5 * 12 * 2 * r * r), benchmark::Counter::kIsRate);
 }
 BENCHMARK(coupled_step)->Arg(8)->Arg(32)->Arg(64)->Arg(128)->Unit(benchmark::kMicrosecond);
 

@@ -155,8 +155,7 @@ int count_runs(const Evaluation& evaluation, bool (*is_counted)(const Record&)) 
 bool is_failed(const Record& record) { return !is_usable(record) && !is_undefined(record) && !is_unstable(record); }
 
 std::string unstable_sentence(int n) {
-  return counted(n, "run is unstable: its step is", "runs are unstable: their steps are") +
-         " beyond the limit.";
+  return counted(n, "run is unstable: its step is", "runs are unstable: their steps are") + " beyond the limit.";
 }
 
 // Names from a store are untrusted, and readers paste commands into a shell: only plain words become part of one.

@@ -77,8 +77,9 @@ TEST(FloatingAnswer, WithAllModesIsTheFullOrdersMotion) {
     deformed = std::max(deformed, ((u - v).reshaped(3, u.size() / 3).matrix().colwise() - shift).norm());
     largest = std::max(largest, (v.reshaped(3, v.size() / 3).matrix().colwise() - gone).norm());
   }
-  EXPECT_LT(apart, 0.05 * drop);
-  EXPECT_LT(deformed, 0.2 * largest);
+  // Measured on this mesh: 0.024 of the drop, which the mesh's surface costs (it lies within the sphere), and 2.6e-4.
+  EXPECT_LT(apart, 0.03 * drop);
+  EXPECT_LT(deformed, 1e-3 * largest);
   EXPECT_GT(largest, 0);
 }
 
