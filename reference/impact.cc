@@ -6,9 +6,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "cases/contract/linear.h"
-#include "cases/contract/touchdown.h"
+#include "mechanics/system/joined.h"
 #include "reference/impact_limits.h"
+#include "reference/impact_member.h"
 
 namespace mb {
 
@@ -16,30 +16,27 @@ namespace {
 
 constexpr double reach = 0.35;   // [-] of the body's extent: faces that much farther than the nearest never touch
 constexpr double blown_up = 10;  // [-] energy by all that there was
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class PreparedImpact final : public Prepared {
  public:
   PreparedImpact(const Model& model, const Integrator& integrator, const Settings& settings)
-      : scene_(model.scene),
-        body_(scene_->bodies.at(0)),
-        points_(model.bodies.at(0).points.all()),
-        displacement_{model.bodies[0].displacement, {}},
-        strain_{model.bodies[0].strain, {}},
-        full_(model.bodies[0].full),
-        touchdown_(touchdown(*scene_, body_)),
-        system_(full_->system()),
-        may_blow_up_(integrator.conditionally_stable) {
-    if (!body_.twist.angular_velocity.isZero(0))
-      throw std::invalid_argument("body '" + body_.name + "' spins: full order in contact has small rotations only");
+      : scene_(model.scene), may_blow_up_(integrator.conditionally_stable) {
     if (!integrator.prepare_in_contact)
       throw std::invalid_argument("integrator '" + integrator.name + "' has no steps for full order in contact");
-    free_ = !is_held(body_);
-    start_ = free_ ? std::min(touchdown_.t, scene_->duration) : 0;  // what is held moves at once: its weight bends it
-    velocity_ = to_axes(body_.twist.velocity);
-    gravity_ = to_axes(scene_->gravity);
-    if (free_) system_.v0 = full_->translation(velocity_ + start_ * gravity_);
-    if (free_ && !(touchdown_.t < scene_->duration)) return;  // nothing is touched: closed form throughout
-    for (const Meeting& meeting : touchdown_.meetings) contacts_.push_back(contact(meeting));
+    for (size_t i = 0; i < model.bodies.size(); ++i) members_.emplace_back(model, i);
+    start_ = start();
+    std::vector<System> systems;
+    for (ImpactMember& member : members_) {
+      member.start_at(start_, integrator, settings);
+      first_.push_back(n_);
+      n_ += member.n();
+      systems.push_back(member.system());
+    }
+    if (!(start_ < scene_->duration)) return;  // nothing is touched
+    system_ = systems.size() == 1 ? systems.front() : joined(systems);
+    for (size_t i = 0; i < members_.size(); ++i)
+      for (const Meeting& meeting : members_[i].touchdown().meetings) add_contact(i, meeting);
     stepper_ = integrator.prepare_in_contact(system_, contacts_, settings, scene_->duration - start_);
   }
 
@@ -55,66 +52,97 @@ class PreparedImpact final : public Prepared {
     answer.status = states.status;
     if (stepper_ && sampling.reconstruct && answer.status == Status::ok && t.size() > n_before)
       answer.status = checked(states, t.tail(t.size() - n_before));
-    BodyTrajectory body;
-    body.contact = whole(states.contact, n_before, t.size());
-    if (sampling.reconstruct) {
-      MatrixXd u = MatrixXd::Zero(system_.u0.size(), t.size());
-      if (stepper_) u.rightCols(states.u.cols()) = states.u;
-      body.displacement = observe(displacement_, u, {});
-      place(body.displacement, t);
-      if (sampling.strain) {
-        body.strain = observe(strain_, u, {});
-        body.energy = energy(states, body.contact, n_before);
-      }
+    const ContactHistory contact = whole(states.contact, n_before, t.size());
+    VectorXd left = states.energy;  // of what is known of the sum
+    for (size_t i = members_.size(); i-- > 0;) {
+      const States before = members_[i].before(t.head(n_before));
+      answer.work.steps += before.work.steps;
+      if (before.status != Status::ok) answer.status = before.status;
+      answer.bodies.insert(answer.bodies.begin(), body(i, sampling, before, states, contact, left));
     }
-    answer.bodies.push_back(std::move(body));
     return answer;
   }
 
-  Index n_unknowns() const override { return system_.u0.size(); }
+  Index n_unknowns() const override { return n_; }
 
  private:
-  Vector3d to_axes(const Vector3d& world) const { return body_.pose.orientation.conjugate() * world; }
-  Vector3d flown(double t) const { return free_ ? Vector3d(t * velocity_ + t * t / 2 * gravity_) : Vector3d::Zero(); }
+  // Bodies in flight alone start where the first surfaces meet. What is held moves from the start, and may be met a
+  // little earlier or later than if it were rigid: then while they are still apart by what impact flattens.
+  double start() const {
+    const auto held = [](const ImpactMember& m) { return !m.free(); };
+    if (std::ranges::all_of(members_, held)) return 0;
+    double first = scene_->duration;
+    for (const ImpactMember& member : members_)
+      for (const Meeting& m : member.touchdown().meetings) {
+        const double lead = std::ranges::any_of(members_, held) ? m.size.approach / m.size.speed : 0;
+        first = std::min(first, std::max(0.0, m.t - lead));
+      }
+    return first;
+  }
 
   // What is not met first may be met by another side of the body, once that has been turned back: of a plane the part
   // that looks at it and comes first on any way there, of other obstacles all of the boundary.
-  double reach_to(const Meeting& meeting, const RigidSurface& seen) const {
-    const double usual = reach * extent(body_.shape);
+  double reach_to(const ImpactMember& member, const Meeting& meeting, const RigidSurface& met) const {
+    const double usual = reach * extent(member.body().shape);
     if (meeting.t <= start_) return usual;
-    if (!std::holds_alternative<HalfSpace>(seen.shape)) return std::numeric_limits<double>::infinity();
-    double nearest = std::numeric_limits<double>::infinity();
-    for (Index i = 0; i < points_.cols(); ++i) nearest = std::min(nearest, gap_value(seen, points_.col(i)));
+    const bool flat = std::holds_alternative<HalfSpace>(met.shape);
+    const bool soon = partner_of(*scene_, scene_->contacts[meeting.contact]) && std::isfinite(meeting.t);
+    if (!flat && !soon) return infinite;
+    double nearest = infinite;
+    const Pose frame = member.frame();
+    for (Index i = 0; i < member.points().cols(); ++i)
+      nearest = std::min(nearest, gap_value(met, frame.to_world(member.points().col(i))));
     return usual + std::max(0.0, nearest);
   }
 
   // Errors are judged by what is met: of an obstacle that a rigid body would not meet, by the size of the first touch.
-  const ContactSize& size_for(const Meeting& meeting) const {
+  const ContactSize& size_for(const ImpactMember& member, const Meeting& meeting) const {
     if (std::isfinite(meeting.t)) return meeting.size;
-    return std::ranges::min_element(touchdown_.meetings, {}, &Meeting::t)->size;
+    return std::ranges::min_element(member.touchdown().meetings, {}, &Meeting::t)->size;
   }
 
-  Contact contact(const Meeting& meeting) const {
+  size_t place_of(const Body& body) const {
+    for (size_t i = 0; i < members_.size(); ++i)
+      if (members_[i].body().name == body.name) return i;
+    throw std::logic_error("a partner is no body of the scene");
+  }
+
+  void add_contact(size_t i, const Meeting& meeting) {
+    const ImpactMember& member = members_[i];
     const ContactPair& pair = scene_->contacts[meeting.contact];
-    const Pose frame{body_.pose.to_world(flown(start_)), body_.pose.orientation};
-    const RigidSurface seen = seen_from(frame, surface_met(*scene_, body_, meeting));
-    const ContactSize& scale = size_for(meeting);
-    return {full_->contact_points(seen, reach_to(meeting, seen)),
-            seen,
-            law_of(pair, meeting.size),
-            {scale.approach, scale.speed},
-            meeting.t <= start_};
+    RigidSurface met = surface_met(*scene_, member.body(), meeting);
+    const Body* partner = partner_of(*scene_, pair);
+    const size_t other = partner ? place_of(*partner) : i;
+    if (partner) met.pose = members_[other].frame();
+    const double within = reach_to(member, meeting, met);
+    const ContactSize& scale = size_for(member, meeting);
+    contacts_.push_back({member.contact_points(met, within, first_[i], n_),
+                         met,
+                         law_of(pair, meeting.size),
+                         {scale.approach, scale.speed},
+                         meeting.t <= start_});
+    watched_.push_back({i, pair.obstacle, partner != nullptr});
+    if (!partner) return;
+    const RigidSurface own{member.body().shape, 0, member.frame()};
+    contacts_.back().partner =
+        std::make_shared<const Facets>(members_[other].facets(own, within, first_[other], n_));
   }
 
   // Throws std::runtime_error for an answer beyond what is simulated here, with what came first. One that an explicit
   // scheme has blown up is no such answer: it has a status.
   Status checked(const States& states, const VectorXd& t) const {
-    const MatrixXd rows = rotation_rows(system_, points_, observe(displacement_, system_.R, {}));
-    std::optional<Fault> first = large_rotation(body_, rows, {t, states.u});
+    std::optional<Fault> first;
+    const auto note = [&](const std::optional<Fault>& fault) {
+      if (fault && (!first || fault->t < first->t)) first = fault;
+    };
+    for (size_t i = 0; i < members_.size(); ++i)
+      note(large_rotation(members_[i].body(), members_[i].rotation(part(states.u, i)), t));
     for (size_t c = 0; c < contacts_.size(); ++c) {
-      const ContactPair& pair = scene_->contacts[touchdown_.meetings[c].contact];
-      const auto overlap = unwatched_overlap(body_, *full_, contacts_[c], pair.obstacle, {t, states.u});
-      if (overlap && (!first || overlap->t < first->t)) first = overlap;
+      const auto& [i, obstacle, of_body] = watched_[c];
+      if (of_body) continue;
+      const ImpactMember& member = members_[i];
+      const Boundary all{member.contact_points(contacts_[c].surface, infinite, first_[i], n_), member.frame()};
+      note(unwatched_overlap(member.body(), all, contacts_[c], obstacle, {t, states.u}));
     }
     if (!first) return Status::ok;
     if (may_blow_up_ && has_blown_up(states)) return Status::unstable;
@@ -122,82 +150,90 @@ class PreparedImpact final : public Prepared {
   }
 
   bool has_blown_up(const States& states) const {
-    const VectorXd load = weight();
-    const double there_was = kinetic_energy(system_, system_.v0) + load.lpNorm<1>() * extent(body_.shape);
+    double there_was = 0, now = 0;
     const auto u = states.u.rightCols(1), v = states.v.rightCols(1);
-    return !(kinetic_energy(system_, v) + strain_energy(system_, u) - load.dot(u.col(0)) <= blown_up * there_was);
-  }
-
-  VectorXd weight() const {  // [N]
-    return free_ ? VectorXd(system_.M * full_->translation(gravity_)) : VectorXd(system_.F.rowwise().sum());
-  }
-
-  // From displacements in the body's axes to x - X; of a body that is held, to the world's axes alone.
-  void place(MatrixXd& values, const VectorXd& t) const {
-    const Eigen::Matrix3d Q = body_.pose.orientation.toRotationMatrix();
-    for (Index k = 0; k < t.size(); ++k) {
-      const Vector3d d = flown(std::min(t[k], start_));
-      for (Index i = 0; i < points_.cols(); ++i) {
-        auto u = values.col(k).segment<3>(3 * i);
-        u = free_ ? Vector3d(body_.pose.position + Q * (points_.col(i) + d + u) - points_.col(i)) : Vector3d(Q * u);
-      }
+    for (size_t i = 0; i < members_.size(); ++i) {
+      const ImpactMember& m = members_[i];
+      const VectorXd load = m.weight();
+      there_was += kinetic_energy(m.system(), m.system().v0) + load.lpNorm<1>() * extent(m.body().shape);
+      now += kinetic_energy(m.system(), part(v, i)) + strain_energy(m.system(), part(u, i)) - load.dot(part(u, i).col(0));
     }
+    return !(now <= blown_up * there_was);
   }
 
+  MatrixXd part(const MatrixXd& all, size_t i) const { return all.middleRows(first_[i], members_[i].n()); }
+
+  BodyTrajectory body(size_t i, const Sampling& sampling, const States& before, const States& states,
+                      const ContactHistory& contact, VectorXd& left) const {
+    const ImpactMember& member = members_[i];
+    const Index n_t = sampling.t.size(), n_before = before.u.cols(), n_valid = states.u.cols();
+    BodyTrajectory answer;
+    answer.contact = of_body(contact, i);
+    if (!sampling.reconstruct) return answer;
+    MatrixXd u = MatrixXd::Zero(member.n(), n_t);
+    u.leftCols(n_before) = before.u;
+    if (stepper_) u.middleCols(n_before, n_valid) = part(states.u, i);
+    answer.displacement = member.displacement(u, sampling.t);
+    if (!sampling.strain) return answer;
+    answer.strain = member.strain(u);
+    answer.energy = VectorXd::Constant(n_t, member.energy_at_start());
+    if (!member.free()) answer.energy.head(n_before) = member.energy(before.u, before.v);
+    if (stepper_) answer.energy.segment(n_before, n_valid) = energy(i, states, answer.contact, n_before, left);
+    return answer;
+  }
+
+  // Of the last body by its states; of the first what is left of the stepper's own sum, where there is one.
+  VectorXd energy(size_t i, const States& states, const ContactHistory& contact, Index n_before, VectorXd& left) const {
+    const ImpactMember& member = members_[i];
+    const VectorXd fallen = member.energy(MatrixXd::Zero(member.n(), 1), MatrixXd::Zero(member.n(), 1));
+    if (i == 0 && left.size() > 0) return left.array() + fallen[0];
+    const VectorXd own = member.energy(part(states.u, i), part(states.v, i));
+    if (left.size() > 0) left -= VectorXd(own.array() - fallen[0]);
+    return own + contact.stored.segment(n_before, own.size());
+  }
+
+  // From the joint start on, before it nothing presses.
   ContactHistory whole(const ContactHistory& from, Index n_before, Index n_t) const {
     ContactHistory all{Matrix3Xd::Zero(3, n_t), Matrix3Xd::Zero(3, n_t), VectorXd::Zero(n_t), VectorXd::Zero(n_t),
                        from.touches};
-    const Eigen::Matrix3d Q = body_.pose.orientation.toRotationMatrix();
-    for (Touch& touch : all.touches) {
-      touch.start += start_, touch.end += start_, touch.peak_time += start_;
-      touch.impulse = Q * touch.impulse;
-    }
+    for (Touch& touch : all.touches) touch.start += start_, touch.end += start_, touch.peak_time += start_;
     if (n_before == n_t) return all;
-    all.force.rightCols(n_t - n_before) = Q * from.force;
-    all.impulse.rightCols(n_t - n_before) = Q * from.impulse;
+    all.force.rightCols(n_t - n_before) = from.force;
+    all.impulse.rightCols(n_t - n_before) = from.impulse;
     all.stored.tail(n_t - n_before) = from.stored;
     all.dissipated.tail(n_t - n_before) = from.dissipated;
     return all;
   }
 
-  // The stepper's own; else of u and v at the times asked for.
-  VectorXd energy(const States& states, const ContactHistory& contact, Index n_before) const {
-    VectorXd E = VectorXd::Constant(contact.stored.size(), kinetic_energy(system_, full_system_velocity()));
-    const VectorXd load = weight();
-    const double mass =
-        free_ ? full_->translation(Vector3d::UnitX()).dot(system_.M * full_->translation(Vector3d::UnitX())) : 0;
-    const double fallen = -mass * gravity_.dot(flown(start_));
-    if (states.energy.size() > 0) {
-      E.tail(states.energy.size()) = states.energy.array() + fallen;
-      return E;
-    }
-    for (Index k = 0; k < states.u.cols(); ++k)
-      E[n_before + k] = kinetic_energy(system_, states.v.col(k)) + strain_energy(system_, states.u.col(k)) -
-                        load.dot(states.u.col(k)) + fallen + contact.stored[n_before + k];
-    return E;
+  // What contact does to a body: the one whose points are looked at, or the other, which feels the opposite.
+  ContactHistory of_body(const ContactHistory& of_first, size_t i) const {
+    if (watched_.empty() || watched_.front().member == i) return of_first;
+    return opposite(of_first);
   }
-  // Before the first touch the energy is that at t = 0.
-  VectorXd full_system_velocity() const { return full_->system().v0; }
+
+  struct Watched {
+    size_t member;  // whose points they are
+    std::string obstacle;
+    bool of_body;  // whether that is another body
+  };
 
   std::shared_ptr<const Scene> scene_;
-  const Body& body_;
-  Matrix3Xd points_;
-  Observation displacement_, strain_;
-  std::shared_ptr<const FullModel> full_;
-  Touchdown touchdown_;
-  System system_;
   bool may_blow_up_;
-  bool free_;
-  double start_;                 // [s] of the first touch, at most the duration
-  Vector3d velocity_, gravity_;  // in the body's axes
+  std::vector<ImpactMember> members_;
+  std::vector<Index> first_;  // of each member's unknowns
+  Index n_ = 0;
+  double start_ = 0;  // [s] of the joint integration, at most the duration
+  System system_;
   std::vector<Contact> contacts_;
+  std::vector<Watched> watched_;      // of each contact
   std::unique_ptr<Stepper> stepper_;  // none: nothing is touched
 };
 
 }  // namespace
 
 std::unique_ptr<Prepared> prepare_impact(const Model& model, const Integrator& integrator, const Settings& settings) {
-  if (model.bodies.size() != 1) throw std::invalid_argument("full order in contact: one body alone");
+  if (model.bodies.size() > 1 && model.scene->contacts.size() > 1)
+    throw std::invalid_argument("full order in contact: of several bodies one contact alone");
   return std::make_unique<PreparedImpact>(model, integrator, settings);
 }
 

@@ -15,14 +15,8 @@ constexpr double looks_away = -0.1;  // [-] cosine: as contact_surface.h has it
 constexpr double negligible = 1e-3;  // [-] depth by the contact's displacement
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-struct Boundary {
-  Matrix3Xd X;     // [m] 3 x m
-  SparseMatrix U;  // 3 m x n
-};
-
 // All of the boundary but the points that the contact has: these come in the same order.
-Boundary unwatched(const FullModel& full, const Contact& contact) {
-  const ContactPoints all = full.contact_points(contact.surface, no_limit);
+ContactPoints unwatched(const ContactPoints& all, const Contact& contact) {
   const Matrix3Xd& X = contact.points.X;
   std::vector<Index> left, place(static_cast<size_t>(all.X.cols()), -1);
   Index n_found = 0;
@@ -40,9 +34,10 @@ Boundary unwatched(const FullModel& full, const Contact& contact) {
     for (SparseMatrix::InnerIterator it(all.U, j); it; ++it)
       if (const Index at = place[static_cast<size_t>(it.row() / 3)]; at >= 0)
         entries.emplace_back(3 * at + it.row() % 3, j, it.value());
-  Boundary boundary{all.X(Eigen::all, left), SparseMatrix(3 * static_cast<Index>(left.size()), all.U.cols())};
-  boundary.U.setFromTriplets(entries.begin(), entries.end());
-  return boundary;
+  ContactPoints rest{all.X(Eigen::all, left), all.w(left),
+                     SparseMatrix(3 * static_cast<Index>(left.size()), all.U.cols())};
+  rest.U.setFromTriplets(entries.begin(), entries.end());
+  return rest;
 }
 
 // Distances change by no more than their points move: most need not be found again.
@@ -77,32 +72,33 @@ MatrixXd rotation_rows(const System& system, const Matrix3Xd& points, const Matr
   return J.ldlt().solve(moments) * MatrixXd(system.M * system.R).transpose();
 }
 
-std::optional<Fault> large_rotation(const Body& body, const MatrixXd& rows, const Displaced& states) {
-  const VectorXd theta = (rows * states.u).colwise().norm();
+std::optional<Fault> large_rotation(const Body& body, const MatrixXd& theta, const VectorXd& t) {
+  const VectorXd angle = theta.colwise().norm();
   Index first = 0;
-  while (first < theta.size() && theta[first] <= most_rotation) ++first;  // what is not a number stops it, too
-  if (first == theta.size()) return {};
+  while (first < angle.size() && angle[first] <= most_rotation) ++first;  // what is not a number stops it, too
+  if (first == angle.size()) return {};
   return Fault{
-      states.t[first],
+      t[first],
       fmt::format("body '{}' turns by {:.2g} rad, from t = {:.4g} s on by more than the {} rad that full order with "
                   "linear kinematics carries: its axes do not turn",
-                  body.name, theta.maxCoeff(), states.t[first], most_rotation)};
+                  body.name, angle.maxCoeff(), t[first], most_rotation)};
 }
 
-std::optional<Fault> unwatched_overlap(const Body& body, const FullModel& full, const Contact& contact,
+std::optional<Fault> unwatched_overlap(const Body& body, const Boundary& boundary, const Contact& contact,
                                        const std::string& obstacle, const Displaced& states) {
-  const Boundary boundary = unwatched(full, contact);
-  const Index n = boundary.X.cols();
+  const ContactPoints rest = unwatched(boundary.points, contact);
+  const Index n = rest.X.cols();
   GapsInPassing gaps(contact.surface, n);
   VectorXd d;
   for (Index k = 0; n > 0 && k < states.u.cols(); ++k) {
-    d = boundary.U * states.u.col(k);
+    d = rest.U * states.u.col(k);
     for (Index i = 0; i < n; ++i) {
-      const Vector3d x = boundary.X.col(i) + d.segment<3>(3 * i);
+      const Vector3d x = rest.X.col(i) + d.segment<3>(3 * i);
       const double value = gaps(i, x);
       if (value >= -negligible * contact.scale.displacement) continue;
       // Beside an edge that presses lie points of faces that do not: they look elsewhere.
-      const Vector3d outward = signed_distance(body.shape, boundary.X.col(i)).gradient;
+      const Distance own = signed_distance(body.shape, boundary.frame.to_frame(rest.X.col(i)));
+      const Vector3d outward = boundary.frame.orientation * own.gradient;
       if (outward.dot(gap(contact.surface, x).normal) >= looks_away) continue;
       return Fault{
           states.t[k],

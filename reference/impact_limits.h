@@ -16,7 +16,7 @@ namespace mb {
 
 constexpr double most_rotation = 0.1;  // [rad] half a per cent of a body's size
 
-// States of a run: t [s] n_t, u [m] n x n_t, in the body's axes.
+// States of a run: t [s] n_t, u [m] n x n_t.
 struct Displaced {
   const VectorXd& t;
   const MatrixXd& u;
@@ -31,12 +31,19 @@ struct Fault {
   std::string what;
 };
 
-// A rotation of more than most_rotation, or none that is a number: names the body and the largest angle.
-std::optional<Fault> large_rotation(const Body& body, const MatrixXd& rows, const Displaced& states);
+// theta [rad] 3 x n_t at t [s]: a rotation of more than most_rotation, or none that is a number: names the body and the
+// largest angle.
+std::optional<Fault> large_rotation(const Body& body, const MatrixXd& theta, const VectorXd& t);
+
+// All points of a body's boundary, of which a contact has some, in the same axes and order; the body's frame in them.
+struct Boundary {
+  ContactPoints points;
+  Pose frame;
+};
 
 // A point of the boundary that is not among the contact's, looks at the obstacle and lies in it deeper than a
 // thousandth of the contact's displacement: names body, obstacle and depth.
-std::optional<Fault> unwatched_overlap(const Body& body, const FullModel& full, const Contact& contact,
+std::optional<Fault> unwatched_overlap(const Body& body, const Boundary& boundary, const Contact& contact,
                                        const std::string& obstacle, const Displaced& states);
 
 }  // namespace mb

@@ -11,12 +11,21 @@
 namespace mb {
 namespace {
 
-template <typename Text, typename Counts>
-using Place = std::tuple<Text, Text, bool, Text, Text, int, int, Counts, double, double, double>;
-using OwnPlace = Place<std::string, std::vector<int>>;
+template <typename Text>
+using Place = std::tuple<Text, Text, bool, Text, Text, int, int, std::vector<int>, double, double, double>;
+using OwnPlace = Place<std::string>;
 
-Place<const std::string&, const std::vector<int>&> order(const std::string& case_name, const std::string& profile,
-                                                         const Contender& c) {
+// Of all bodies.
+std::vector<int> counts(const Resolution& mesh) {
+  std::vector<int> all = mesh.cells;
+  for (const Resolution& other : mesh.others) {
+    all.push_back(other.degree);
+    for (const int n : counts(other)) all.push_back(n);
+  }
+  return all;
+}
+
+Place<const std::string&> order(const std::string& case_name, const std::string& profile, const Contender& c) {
   return {case_name,
           profile,
           !is_reduced(c),
@@ -24,7 +33,7 @@ Place<const std::string&, const std::vector<int>&> order(const std::string& case
           c.integrator,
           c.settings.modes,
           c.resolution.degree,
-          c.resolution.cells,
+          counts(c.resolution),
           -c.settings.time_step,
           -c.settings.relative_tolerance,
           c.settings.load_tolerance};

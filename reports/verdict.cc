@@ -176,7 +176,7 @@ bool lists_accuracy(const auto& table, const Settings& settings) {
 }
 
 bool is_of_a_truth(const Scene& scene, const Contender& c) {
-  const bool on_its_mesh = c.resolution == scene.truth.finer || c.resolution == scene.bodies.front().resolution;
+  const bool on_its_mesh = c.resolution == scene.truth.finer || c.resolution == own_meshes(scene);
   return c.method == "full-order" && c.integrator == "sundials" && on_its_mesh &&
          c.settings.relative_tolerance == scene.truth.relative_tolerance;
 }

@@ -59,6 +59,17 @@ double height(const Shape& shape, const Vector3d& n) {
   return along.maxCoeff() - along.minCoeff();
 }
 
+// Of the body alone, or of both.
+double effective_modulus(const Body& body, const Body* partner) {
+  const double own = contact_modulus_of(body.material);
+  return partner ? 1 / (1 / own + 1 / contact_modulus_of(partner->material)) : own;
+}
+double mass_of(const Body& body) { return body.material.density * volume(body.shape); }
+double effective_mass(const Body& body, const Body* partner) {
+  if (!partner || is_held(*partner)) return mass_of(body);
+  return is_held(body) ? mass_of(*partner) : 1 / (1 / mass_of(body) + 1 / mass_of(*partner));
+}
+
 struct Press {
   double mass, speed, weight;  // [kg], [m/s], [N]
   double approach;             // [m] that is taken where neither speed nor weight presses, else 0
@@ -84,14 +95,14 @@ ContactSize flat_contact(const Press& press, const Body& body, double modulus, d
 }  // namespace
 
 ContactSize contact_size(const Body& body, const ContactPair& pair, const Vector3d& X, const Pose& pose, const Gap& at,
-                         double speed, const Vector3d& gravity) {
-  const double mass = body.material.density * volume(body.shape);
+                         double speed, const Vector3d& gravity, const Body* partner) {
+  const double mass = effective_mass(body, partner);
   const double c = std::sqrt(youngs_modulus(body.material) / body.material.density);
   const double felt = speed > rounding * c ? speed : 0;  // along a wall the speed towards it is rounding
   Press press{mass, felt, std::max(0.0, -mass * gravity.dot(at.normal)), 0};
   if (!(press.speed > 0 || press.weight > 0)) press.approach = unpressed * extent(body.shape);
   const Eigen::Vector2d k = curvatures(body, X, pose, at);
-  const double modulus = contact_modulus_of(body.material), l = extent(body.shape);
+  const double modulus = effective_modulus(body, partner), l = extent(body.shape);
   ContactSize size =
       k[1] * l < flat ? flat_contact(press, body, modulus, height(body.shape, pose.orientation.conjugate() * at.normal))
                       : point_contact(press, modulus, 1 / std::sqrt(std::max(k[0], flat / l) * k[1]));

@@ -6,6 +6,8 @@
 //
 //   strike  a ball of mass m and radius R by law `hertz` on a body too heavy to move: k = 4/3 E* sqrt(R), E* of both
 //
+// Of two bodies E* is that of both, 1/E* = 1/E*_1 + 1/E*_2, and so is the mass m, unless supports hold one of them.
+//
 // Without speed, at rest, the weight takes the part of the impact; where nothing is known to press, an approach of a
 // thousandth of the extent. Orthotropic bodies count with the largest modulus.
 #pragma once
@@ -25,9 +27,10 @@ struct ContactSize {
 };
 
 // At the body's point X [m, body frame], which meets the obstacle at `speed` [m/s] >= 0 along its normal; `at`: the gap
-// there, with the body's frame in `pose`.
+// there, with the body's frame in `pose`. partner: the body that is met, in whose frame all this is; nullptr: an
+// obstacle. gravity [m/s^2]: what the one has more of it than the other.
 ContactSize contact_size(const Body& body, const ContactPair& pair, const Vector3d& X, const Pose& pose, const Gap& at,
-                         double speed, const Vector3d& gravity);
+                         double speed, const Vector3d& gravity, const Body* partner = nullptr);
 
 // Throws std::invalid_argument for an obstacle that is no ball that strikes.
 ContactSize strike_size(const Body& body, const ContactPair& pair, const Obstacle& obstacle);

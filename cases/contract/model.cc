@@ -7,6 +7,7 @@ namespace mb {
 ContactPoints FullModel::contact_points(const RigidSurface&, double) const {
   throw std::logic_error("this model of a body cannot touch anything");
 }
+Facets FullModel::facets(const RigidSurface&, double) const { throw std::logic_error("this model cannot touch"); }
 VectorXd FullModel::translation(const Vector3d&) const {
   throw std::logic_error("this model of a body cannot be moved as a whole");
 }

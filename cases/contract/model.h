@@ -35,8 +35,10 @@ class FullModel {
   virtual MatrixXd polynomials(int degree) const = 0;
   // Points of the boundary that may touch an obstacle, which stands in the body's axes as at the first touch: faces
   // within `reach` [m] of it that look at it; infinity: all of the boundary. Throws std::invalid_argument where there
-  // is none. Throws std::logic_error of a model that cannot touch, likewise `translation`.
+  // is none. Throws std::logic_error of a model that cannot touch, likewise `facets` and
+  // `translation`.
   virtual ContactPoints contact_points(const RigidSurface& surface, double reach) const;
+  virtual Facets facets(const RigidSurface& surface, double reach) const;  // the same faces, as another body meets them
   // Unknowns that move a body without supports by `direction` [m]: n.
   virtual VectorXd translation(const Vector3d& direction) const;
   virtual Index n_cells() const = 0;

@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "mechanics/contact/first_touch.h"
-#include "mechanics/contact/first_touch_support.h"
+#include "cases/contract/approach.h"
 #include "mechanics/geometry/graded_rule.h"
 #include "mechanics/geometry/signed_distance.h"
-#include "mechanics/rigid/flight.h"
-#include "mechanics/rigid/inertia.h"
 
 namespace mb {
 
@@ -21,51 +18,11 @@ constexpr double touching = 1e-3;         // [-] of the extent: about what a tou
 constexpr double apart = 0.05;            // [-] of the extent: the middle of a touch is another point than that found
 constexpr int n_looks = 64;               // in time, for the nearest approach of what never touches
 
-// The undeformed body on its way; one that is held stands still.
-class RigidMotion final : public BodyMotion {
- public:
-  RigidMotion(const Scene& scene, const Body& body)
-      : moves_(!is_held(body)),
-        pose_(body.pose),
-        gravity_(scene.gravity),
-        flight_(mass_properties(body.shape, body.material.density), body.pose, body.twist, scene.gravity),
-        circumradius_(circumradius(body.shape)) {
-    const PrincipalAxes axes = principal_axes(mass_properties(body.shape, body.material.density).inertia);
-    spin_up_ = axes.moments.maxCoeff() / axes.moments.minCoeff();
-  }
-  Pose pose(double t) const { return moves_ ? flight_.at(t) : pose_; }
-  Vector3d velocity(double t, const Vector3d& X) const {
-    if (!moves_) return Vector3d::Zero();
-    const Twist twist = flight_.twist_at(t);
-    return twist.velocity + twist.angular_velocity.cross(pose(t).orientation * X);
-  }
-
-  void at(double t, std::span<const Vector3d> X, std::span<PointMotion> out) const override {
-    const Pose now = pose(t);
-    const Eigen::Matrix3d Q = now.orientation.toRotationMatrix();
-    const Twist twist = moves_ ? flight_.twist_at(t) : Twist{};
-    const Vector3d& w = twist.angular_velocity;
-    Eigen::Matrix3d W;
-    W << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-    for (size_t i = 0; i < X.size(); ++i) {
-      const Vector3d arm = Q * X[i];
-      out[i] = {now.position + arm, twist.velocity + w.cross(arm), Q, W * Q};
-    }
-  }
-  // |w x (w x r) + w' x r|, with |w'| <= (I_max/I_min) |w|^2 by Euler's equations.
-  MotionBounds bounds(double, double) const override {
-    if (!moves_) return {};
-    const double w = flight_.max_angular_speed();
-    return {gravity_, (1 + spin_up_) * w * w * circumradius_, 0, 0};
-  }
-
- private:
-  bool moves_;
-  Pose pose_;
-  Vector3d gravity_;
-  Flight flight_;
-  double circumradius_, spin_up_;
-};
+// What the body meets, in the frame that its approach is seen from.
+RigidSurface surface_seen(const Scene& scene, const ContactPair& pair) {
+  const Body* partner = partner_of(scene, pair);
+  return partner ? RigidSurface{partner->shape, 0, {}} : obstacle_of(scene, pair).surface;
+}
 
 struct Near {
   double t;
@@ -74,7 +31,7 @@ struct Near {
 };
 
 // Of samples in space and time: where to look at when nothing touches.
-Near nearest_approach(const Scene& scene, const Body& body, const RigidMotion& motion, const RigidSurface& surface) {
+Near nearest_approach(const Scene& scene, const Body& body, const Approach& motion, const RigidSurface& surface) {
   const double l = extent(body.shape);
   const GradedRule rule = graded_rule(body.shape, {}, {l / 16, l / 16, 0, 2});
   Near best{0, rule.points.col(0), std::numeric_limits<double>::infinity()};
@@ -107,19 +64,22 @@ Vector3d middle_of_touch(const Body& body, const Pose& pose, const RigidSurface&
   return (middle - X).norm() < apart * l ? X : middle;
 }
 
-std::string overlap_message(const Body& body, const ContactPair& pair, const std::optional<FirstTouch>& found) {
+std::string overlap_message(const Scene& scene, const Body& body, const ContactPair& pair,
+                            const std::optional<FirstTouch>& found) {
   if (!found || found->kind != FirstTouch::overlap || found->gap >= -allowed_overlap * extent(body.shape)) return {};
-  return fmt::format("body '{}' starts {:.3g} m within obstacle '{}': move it out", body.name, -found->gap,
-                     pair.obstacle);
+  return fmt::format("body '{}' starts {:.3g} m within {} '{}': move it out", body.name, -found->gap,
+                     partner_of(scene, pair) ? "body" : "obstacle", pair.obstacle);
 }
 
-Meeting meeting_of(const Scene& scene, const Body& body, const RigidMotion& motion, size_t contact) {
+Meeting meeting_of(const Scene& scene, const Body& body, size_t contact) {
   const ContactPair& pair = scene.contacts[contact];
-  const RigidSurface& surface = obstacle_of(scene, pair).surface;
+  const Body* partner = partner_of(scene, pair);
+  const Approach motion(scene, body, partner);
+  const RigidSurface surface = surface_seen(scene, pair);
   const double l = extent(body.shape);
   const auto found = first_touch(body.shape, motion, surface,
                                  {.t0 = 0, .t1 = scene.duration, .tolerance = 1e-12 * l, .leaving = false});
-  if (const std::string overlap = overlap_message(body, pair, found); !overlap.empty())
+  if (const std::string overlap = overlap_message(scene, body, pair, found); !overlap.empty())
     throw std::invalid_argument(overlap);
   Meeting meeting{contact, found ? found->t : std::numeric_limits<double>::infinity(), Vector3d::Zero(), {}};
   const Near near = found ? Near{found->t, found->X, found->gap} : nearest_approach(scene, body, motion, surface);
@@ -127,7 +87,8 @@ Meeting meeting_of(const Scene& scene, const Body& body, const RigidMotion& moti
   meeting.X = middle_of_touch(body, pose, surface, near.X);
   const Gap at = gap(surface, pose.to_world(meeting.X));
   const double speed = std::max(0.0, -at.normal.dot(motion.velocity(near.t, meeting.X)));
-  meeting.size = contact_size(body, pair, meeting.X, pose, at, speed, scene.gravity);
+  meeting.size = contact_size(body, pair, meeting.X, pose, at, speed, motion.weight(), partner);
+  if (partner) meeting.Y = pose.to_world(meeting.X) - at.value * at.normal;
   return meeting;
 }
 
@@ -138,31 +99,45 @@ Meeting strike_of(const Scene& scene, const Body& body, size_t contact, const Ob
   return {contact, 0, box->size.z() / 2 * Vector3d::UnitZ(), strike_size(body, scene.contacts[contact], obstacle)};
 }
 
+bool is_partner(const Scene& scene, const Meeting& meeting, const Body& body) {
+  const Body* partner = partner_of(scene, scene.contacts[meeting.contact]);
+  return partner && partner->name == body.name;
+}
+
 }  // namespace
 
 Touchdown touchdown(const Scene& scene, const Body& body) {
   Touchdown down;
-  const RigidMotion motion(scene, body);
   for (size_t i = 0; i < scene.contacts.size(); ++i) {
     if (scene.contacts[i].body != body.name) continue;
-    const Obstacle& obstacle = obstacle_of(scene, scene.contacts[i]);
-    down.meetings.push_back(obstacle.striker ? strike_of(scene, body, i, obstacle)
-                                             : meeting_of(scene, body, motion, i));
+    const Obstacle* striker = striker_of(scene, body);
+    down.meetings.push_back(striker ? strike_of(scene, body, i, *striker) : meeting_of(scene, body, i));
     down.t = std::min(down.t, down.meetings.back().t);
   }
   return down;
 }
 
 std::string overlap_at_start(const Scene& scene, const Body& body) {
-  const RigidMotion motion(scene, body);
   for (const ContactPair& pair : scene.contacts) {
-    const Obstacle& obstacle = obstacle_of(scene, pair);
-    if (pair.body != body.name || obstacle.striker) continue;
+    if (pair.body != body.name || striker_of(scene, body)) continue;
+    const Approach motion(scene, body, partner_of(scene, pair));
     const TouchSearch now{.t0 = 0, .t1 = 0, .tolerance = 1e-12 * extent(body.shape), .leaving = false};
-    const std::string overlap = overlap_message(body, pair, first_touch(body.shape, motion, obstacle.surface, now));
+    const std::string overlap =
+        overlap_message(scene, body, pair, first_touch(body.shape, motion, surface_seen(scene, pair), now));
     if (!overlap.empty()) return overlap;
   }
   return {};
+}
+
+std::vector<TouchedAt> touched_at(const Scene& scene, const Body& body) {
+  std::vector<TouchedAt> all;
+  for (const Body& other : scene.bodies)
+    for (const Meeting& meeting : touchdown(scene, other).meetings) {
+      const bool met = is_partner(scene, meeting, body);
+      if (other.name == body.name || met) all.push_back({meeting, met ? meeting.Y : meeting.X});
+    }
+  std::ranges::sort(all, {}, [](const TouchedAt& at) { return at.meeting.contact; });
+  return all;
 }
 
 PenaltyLaw law_of(const ContactPair& pair, const ContactSize& size) {
@@ -179,6 +154,8 @@ const Obstacle& obstacle_of(const Scene& scene, const ContactPair& pair) {
 }
 
 RigidSurface surface_met(const Scene& scene, const Body& body, const Meeting& meeting) {
+  if (const Body* partner = partner_of(scene, scene.contacts.at(meeting.contact)))
+    return {partner->shape, 0, partner->pose};
   const Obstacle& obstacle = obstacle_of(scene, scene.contacts.at(meeting.contact));
   if (!obstacle.striker) return obstacle.surface;
   const Eigen::Quaterniond upside_down(0, 1, 0, 0);

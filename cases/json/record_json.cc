@@ -67,13 +67,27 @@ Work work_from(const Json& json) {
   return work;
 }
 
-Resolution resolution_from(Members& members) {
+Resolution mesh_from(Members& members) {
   Resolution resolution{.degree = static_cast<int>(members.integer("degree", 0, 99)), .cells = {}};
   const Json& cells = members.get("cells");
   if (!cells.is_array() || cells.size() > 3) refuse("cells", "is not a list of at most 3 counts");
   for (const Json& n : cells) resolution.cells.push_back(static_cast<int>(integer(n, "cells", 0, 1 << 20)));
   if (const Json* graded = members.find("graded"))
     resolution.graded = static_cast<int>(integer(*graded, "graded", 1, 99));
+  return resolution;
+}
+
+// Of a whole scene.
+Resolution resolution_from(Members& members) {
+  Resolution resolution = mesh_from(members);
+  if (const Json* others = members.find("others")) {
+    if (!others->is_array() || others->empty() || others->size() > 63) refuse("others", "is not a list of 1 to 63 meshes");
+    for (const Json& other : *others) {
+      Members own(other, "others");
+      resolution.others.push_back(mesh_from(own));
+      own.expect_no_more();
+    }
+  }
   return resolution;
 }
 
@@ -92,6 +106,21 @@ std::optional<double> error_bar_from(Members& members) {
 
 }  // namespace
 
+namespace {
+
+void add(Json& json, const Resolution& mesh) {
+  json["degree"] = mesh.degree;
+  json["cells"] = mesh.cells;
+  if (mesh.graded > 0) json["graded"] = mesh.graded;
+  for (const Resolution& other : mesh.others) {
+    Json own;
+    add(own, other);
+    json["others"].push_back(own);
+  }
+}
+
+}  // namespace
+
 Json to_json(const Record& record) {
   const bool finite = std::isfinite(record.value);
   const bool has_bar = record.error_bar && std::isfinite(*record.error_bar);
@@ -102,9 +131,7 @@ Json to_json(const Record& record) {
   json["profile"] = record.profile;
   json["method"] = record.contender.method;
   json["integrator"] = record.contender.integrator;
-  json["degree"] = record.contender.resolution.degree;
-  json["cells"] = record.contender.resolution.cells;
-  if (record.contender.resolution.graded > 0) json["graded"] = record.contender.resolution.graded;
+  add(json, record.contender.resolution);
   json["settings"] = settings_json(record);
   json["modes_used"] = record.modes_used;
   json["n_unknowns"] = record.n_unknowns;

@@ -34,6 +34,20 @@ void check_start(Section& section) {
   }
 }
 
+// A body that meets nothing is a scene of its own. drafts: whether all contacts could be read.
+void check_company(Section& root, const std::vector<BodyDraft>& bodies, const ContactDrafts& contacts) {
+  const std::vector<Section> sections = root.sections("body", {1, 64});
+  for (size_t i = 0; bodies.size() > 1 && i < bodies.size() && i < sections.size(); ++i) {
+    const BodyDraft& body = bodies[i];
+    if (body.name && contacts.all_bodies_known && !contacts.bodies.contains(*body.name))
+      root.findings().error(sections[i].where(),
+                            fmt::format("no [[contact]] names body '{}': it is a scene of its own", *body.name));
+    if (body.theory.value_or(Theory::solid) != Theory::solid)
+      root.findings().error(sections[i].where(), fmt::format("body '{}' of theory '{}' is simulated alone only",
+                                                             body.name.value_or(""), to_string(*body.theory)));
+  }
+}
+
 void check_with_contact(Section& root, const std::vector<BodyDraft>& bodies) {
   if (states_any(root, "load")) refuse_with_contact(root.findings(), root.where_key("load"), "a load");
   for (const BodyDraft& body : bodies) {
@@ -73,6 +87,7 @@ void check_contact_rules(Section& root, const std::vector<BodyDraft>& bodies, co
     if (auto mesh = section.section("resolution")) read_mesh(*mesh, bodies.at(i));
     ++i;
   }
+  check_company(root, bodies, contacts);
   if (!contacts.any) return;
   check_with_contact(root, bodies);
   if (stays(root, bodies, contacts, gravity)) {

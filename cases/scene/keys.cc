@@ -29,7 +29,16 @@ constexpr Alias aliases[] = {{"load.history", "history"},
                              {"profile.NAME.coarser", "mesh"},
                              {"profile.NAME.resolution.BODY", "mesh"},
                              {"profile.NAME.rival", "study.rival"},
-                             {"profile.NAME.stepping", "study.stepping"}};
+                             {"profile.NAME.stepping", "study.stepping"},
+                             {"mesh.others.BODY", "mesh"}};
+
+// Puts BODY in the place of the name that follows `before`.
+void hide_name(std::string& path, std::string_view before) {
+  const std::size_t at = path.find(before);
+  if (at == std::string::npos) return;
+  const std::size_t name = at + before.size();
+  path.replace(name, std::min(path.find('.', name), path.size()) - name, "BODY");
+}
 
 // profile.quick.resolution.cylinder.cells -> profile.NAME.resolution.BODY.cells
 std::string with_placeholders(std::string path) {
@@ -37,18 +46,16 @@ std::string with_placeholders(std::string path) {
     const std::string prefix = "profile." + name;
     if (path != prefix && !path.starts_with(prefix + ".")) continue;
     path.replace(0, prefix.size(), "profile.NAME");
-    const std::string meshes = "profile.NAME.resolution.";
-    if (path.starts_with(meshes)) {
-      path.replace(meshes.size(), std::min(path.find('.', meshes.size()), path.size()) - meshes.size(), "BODY");
-    }
+    if (path.starts_with("profile.NAME.resolution.")) hide_name(path, "profile.NAME.resolution.");
   }
+  hide_name(path, ".others.");
   return path;
 }
 
 std::string documented_path(std::string path) {
   for (const Alias& alias : aliases) {
     const std::string prefix = std::string(alias.path) + ".";
-    if (path.starts_with(prefix)) return std::string(alias.documented) + "." + path.substr(prefix.size());
+    if (path.starts_with(prefix)) path = std::string(alias.documented) + "." + path.substr(prefix.size());
   }
   return path;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cases/scene/names.h"
 #include "cases/scene/read_obstacle.h"
 #include "mechanics/contact/law.h"
@@ -50,11 +52,13 @@ std::optional<ContactLaw> read_law(Section& contact) {
 class ContactReader {
  public:
   ContactReader(const std::vector<BodyDraft>& bodies, std::vector<ObstacleDraft> obstacles)
-      : bodies_(names_of(bodies)), obstacles_(std::move(obstacles)), obstacle_names_(names_of(obstacles_)) {}
+      : bodies_(names_of(bodies)), obstacles_(std::move(obstacles)), partners_(names_of(obstacles_)) {
+    partners_.insert(partners_.end(), bodies_.begin(), bodies_.end());
+  }
 
   void read(Section section) {
     MeetingDraft meeting{read_reference(section, "body", bodies_, "body", "bodies"),
-                         read_reference(section, "obstacle", obstacle_names_, "obstacle", "obstacles"),
+                         read_reference(section, "obstacle", partners_, "obstacle or body", "obstacles and bodies"),
                          read_law(section),
                          false,
                          section.where(),
@@ -65,6 +69,7 @@ class ContactReader {
     const auto friction = read_friction(section);
     section.finish();
     note(section, meeting);
+    check_partner(section, meeting);
     for (const ObstacleDraft& obstacle : obstacles_)
       if (meeting.obstacle && obstacle.name == meeting.obstacle) meeting.strikes = obstacle.strikes;
     drafts_.meetings.push_back(meeting);
@@ -81,16 +86,34 @@ class ContactReader {
       if (all_obstacles_known_ && !met_.contains(*obstacle.name)) {
         findings.error(obstacle.where, fmt::format("no [[contact]] names obstacle '{}'", *obstacle.name));
       }
+      if (std::ranges::find(bodies_, obstacle.name) != bodies_.end())
+        findings.error(obstacle.where, fmt::format("'{}' is the name of a body, too", *obstacle.name));
       if (obstacle.surface) drafts_.obstacles.push_back({*obstacle.name, *obstacle.surface, obstacle.striker});
     }
     return std::move(drafts_);
   }
 
  private:
+  bool is_body(const std::optional<std::string>& name) const {
+    return name && std::ranges::find(bodies_, name) != bodies_.end();
+  }
+
+  void check_partner(Section& section, const MeetingDraft& meeting) const {
+    if (!is_body(meeting.obstacle)) return;
+    if (meeting.body == meeting.obstacle)
+      section.error("obstacle", fmt::format("body '{}' cannot meet itself", *meeting.body));
+    if (meeting.law == ContactLaw::hertz)
+      section.error("law", "law 'hertz' is of an obstacle that strikes, not of another body");
+    else if (meeting.body && met_.contains(*meeting.body) && pairs_.contains({*meeting.obstacle, *meeting.body}))
+      section.error("obstacle", fmt::format("there is another [[contact]] of body '{}' and body '{}'",
+                                            *meeting.obstacle, *meeting.body));
+  }
+
   void note(Section& section, const MeetingDraft& meeting) {
     drafts_.all_bodies_known = drafts_.all_bodies_known && meeting.body;
     all_obstacles_known_ = all_obstacles_known_ && meeting.obstacle;
     if (meeting.body) drafts_.bodies.insert(*meeting.body);
+    if (is_body(meeting.obstacle)) drafts_.bodies.insert(*meeting.obstacle);
     if (meeting.obstacle) met_.insert(*meeting.obstacle);
     if (!meeting.body || !meeting.obstacle || pairs_.insert({*meeting.body, *meeting.obstacle}).second) return;
     section.findings().error(section.where(), fmt::format("there is another [[contact]] of body '{}' and obstacle '{}'",
@@ -99,7 +122,7 @@ class ContactReader {
 
   std::vector<std::optional<std::string>> bodies_;
   std::vector<ObstacleDraft> obstacles_;
-  std::vector<std::optional<std::string>> obstacle_names_;
+  std::vector<std::optional<std::string>> partners_;  // whatever a body may meet
   std::set<std::string> met_;
   std::set<std::pair<std::string, std::string>> pairs_;
   bool all_obstacles_known_ = true;

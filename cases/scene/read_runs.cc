@@ -26,15 +26,25 @@ void check_ascending(const std::vector<Located<int>>& numbers, const std::string
   }
 }
 
-void check_meshes(const Rival& rival, const std::vector<Located<std::vector<int>>>& cells,
-                  const std::vector<BodyDraft>& bodies, Findings& findings) {
+using CellLists = std::vector<Located<std::vector<int>>>;
+
+void check_meshes(const Rival& rival, const CellLists& cells, const BodyDraft& body, Findings& findings) {
+  if (!body.shape || !body.theory) return;
   const int degree = rival.degrees.empty() ? 1 : rival.degrees.back();
-  for (const BodyDraft& body : bodies) {
-    if (!body.shape) continue;
-    if (!body.theory) continue;
-    for (const auto& entry : cells)
-      check_mesh(*body.shape, {degree, entry.value, rival.graded}, entry.where, findings, *body.theory);
-  }
+  for (const auto& entry : cells)
+    check_mesh(*body.shape, {degree, entry.value, rival.graded}, entry.where, findings, *body.theory);
+}
+
+// Those of the second body, one a mesh of the first.
+std::vector<std::vector<int>> read_second_cells(Section& section, const Rival& rival, const RunContext& context) {
+  if (context.bodies.size() < 2 || !section.has("second_cells")) return {};
+  const auto cells = section.integer_lists("second_cells", any_cells_range, {1, 64}, {1, 3});
+  if (!cells) return {};
+  check_meshes(rival, *cells, context.bodies[1], section.findings());
+  if (!rival.cells.empty() && cells->size() != rival.cells.size())
+    section.error("second_cells", fmt::format("'second_cells' has {} entries, 'cells' {}: one a mesh", cells->size(),
+                                              rival.cells.size()));
+  return values_of(cells);
 }
 
 // Integrators that step in time: the closed form has neither a step nor a tolerance.
@@ -85,7 +95,8 @@ Rival read_rival(Section section, const RunContext& context) {
   const auto cells = section.integer_lists("cells", any_cells_range, {1, 64}, {1, 3});
   rival.cells = values_of(cells);
   rival.graded = read_graded(section, context.bodies);
-  if (cells) check_meshes(rival, *cells, context.bodies, section.findings());
+  if (cells && !context.bodies.empty()) check_meshes(rival, *cells, context.bodies.front(), section.findings());
+  rival.second_cells = read_second_cells(section, rival, context);
   Accuracy accuracy = read_accuracy(section, rival.integrator, context);
   rival.time_steps = std::move(accuracy.time_steps);
   rival.relative_tolerances = std::move(accuracy.relative_tolerances);

@@ -75,9 +75,6 @@ std::vector<BodyDraft> read_bodies(Section& root, const Times& times, const Hist
     bodies.push_back(read_body(section, history));
     names.add(section, bodies.back().name);
     check_crossings(section, bodies.back(), times);
-    if (bodies.size() == 2) {
-      section.findings().error(section.where(), "more than one body is understood, but cannot be simulated yet");
-    }
   }
   return bodies;
 }

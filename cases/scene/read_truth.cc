@@ -16,43 +16,73 @@ struct Mesh {
   Position where;
 };
 
+// Of the whole scene: `others` has those of the bodies after the first by their names, in place of their own.
+std::optional<Resolution> read_meshes(Section section, const std::vector<BodyDraft>& bodies) {
+  auto others = bodies.size() > 1 ? section.section("others", true) : std::nullopt;
+  auto all = read_mesh(section, bodies.empty() ? BodyDraft{} : bodies.front());
+  bool all_named = true;
+  for (size_t i = 1; i < bodies.size(); ++i) {
+    const BodyDraft& body = bodies[i];
+    all_named = all_named && body.name;
+    const auto stated = others && body.name ? others->section(*body.name, true) : std::nullopt;
+    const auto mesh = stated ? read_mesh(*stated, body) : body.resolution;
+    if (!mesh) all = std::nullopt;
+    if (all) all->others.push_back(*mesh);
+  }
+  if (others) others->finish(all_named);
+  return all;
+}
+
 // The mesh in `key` of [truth], or that of the profile in its place.
-Mesh read_mesh(Section& truth, std::optional<Section>& profile, const std::string& key, const BodyDraft& body) {
+Mesh read_mesh(Section& truth, std::optional<Section>& profile, const std::string& key,
+               const std::vector<BodyDraft>& bodies) {
   const auto base = truth.section(key);
-  Mesh mesh{base ? read_mesh(*base, body) : std::nullopt, truth.where(key)};
+  Mesh mesh{base ? read_meshes(*base, bodies) : std::nullopt, truth.where(key)};
   const auto other = profile ? profile->section(key, true) : std::nullopt;
-  return other ? Mesh{read_mesh(*other, body), profile->where(key)} : mesh;
+  return other ? Mesh{read_meshes(*other, bodies), profile->where(key)} : mesh;
+}
+
+// The bodies' own, as far as they could be read.
+std::optional<Resolution> own_meshes(const std::vector<BodyDraft>& bodies) {
+  if (bodies.empty() || !bodies.front().resolution) return {};
+  Resolution all = *bodies.front().resolution;
+  for (size_t i = 1; i < bodies.size(); ++i) {
+    if (!bodies[i].resolution) return {};
+    all.others.push_back(*bodies[i].resolution);
+  }
+  return all;
 }
 
 // Errors stand at what the profile states, where it does.
-void check_meshes(const Mesh& finer, const Mesh& coarser, std::optional<Section>& profile, const BodyDraft& body,
-                  Findings& findings) {
+void check_meshes(const Mesh& finer, const Mesh& coarser, std::optional<Section>& profile,
+                  const std::vector<BodyDraft>& bodies, Findings& findings) {
+  const std::optional<Resolution> own = own_meshes(bodies);
   const bool own_finer = profile && profile->has("finer");
   if (finer.resolution && coarser.resolution && *finer.resolution == *coarser.resolution) {
     const bool own_coarser = profile && profile->has("coarser");
     findings.error(own_finer && !own_coarser ? finer.where : coarser.where,
                    "'coarser' equals 'finer': their distance is the error bar, and would be 0");
   }
-  if (finer.resolution && body.resolution && *finer.resolution == *body.resolution) {
+  if (finer.resolution && own && *finer.resolution == *own) {
     const bool own_mesh = profile && profile->has("resolution") && !own_finer;
     findings.error(
         own_mesh ? profile->where("resolution") : finer.where,
-        fmt::format("'finer' is the mesh of body '{}' itself: truth same_mesh has that one", body.name.value_or("")));
+        fmt::format("'finer' is the mesh of body '{}' itself: truth same_mesh has that one",
+                    bodies.front().name.value_or("")));
   }
 }
 
 }  // namespace
 
 TruthDraft read_truth(Section section, std::optional<Section>& profile, const std::vector<BodyDraft>& bodies) {
-  const BodyDraft body = bodies.empty() ? BodyDraft{} : bodies.front();
   const auto tolerance = section.number("relative_tolerance", {1e-12, 1e-2});
-  const Mesh finer = read_mesh(section, profile, "finer", body);
-  const Mesh coarser = read_mesh(section, profile, "coarser", body);
+  const Mesh finer = read_mesh(section, profile, "finer", bodies);
+  const Mesh coarser = read_mesh(section, profile, "coarser", bodies);
   TruthDraft draft{std::nullopt, section.has("exact"), section.where("exact")};
   std::optional<std::string> exact = "";
   if (draft.has_exact) exact = section.choice("exact", {closed_form_names(), "closed form", "closed forms"});
   section.finish();
-  check_meshes(finer, coarser, profile, body, section.findings());
+  check_meshes(finer, coarser, profile, bodies, section.findings());
   if (tolerance && finer.resolution && coarser.resolution && exact) {
     draft.settings = TruthSettings{*tolerance, *finer.resolution, *coarser.resolution, *exact};
   }

@@ -21,12 +21,21 @@ VectorXd times_at(double rate, double duration) {
 }  // namespace
 
 bool operator==(const Resolution& a, const Resolution& b) {
-  return a.degree == b.degree && a.cells == b.cells && a.graded == b.graded;
+  return a.degree == b.degree && a.cells == b.cells && a.graded == b.graded && a.others == b.others;
 }
 
 std::string to_string(const Resolution& resolution) {
   const std::string even = fmt::format("Q{} {}", resolution.degree, fmt::join(resolution.cells, "x"));
-  return resolution.graded == 0 ? even : fmt::format("{} graded {}", even, resolution.graded);
+  std::string all = resolution.graded == 0 ? even : fmt::format("{} graded {}", even, resolution.graded);
+  for (const Resolution& other : resolution.others) all += " + " + to_string(other);
+  return all;
+}
+
+Resolution of_body(const Resolution& scene_mesh, std::size_t body) {
+  if (body > 0) return scene_mesh.others.at(body - 1);
+  Resolution first = scene_mesh;
+  first.others.clear();
+  return first;
 }
 
 const char* to_string(Theory theory) {
@@ -41,6 +50,18 @@ const Obstacle* striker_of(const Scene& scene, const Body& body) {
     for (const Obstacle& obstacle : scene.obstacles)
       if (pair.body == body.name && pair.obstacle == obstacle.name && obstacle.striker) return &obstacle;
   return nullptr;
+}
+
+const Body* partner_of(const Scene& scene, const ContactPair& pair) {
+  for (const Body& body : scene.bodies)
+    if (body.name == pair.obstacle) return &body;
+  return nullptr;
+}
+
+Resolution own_meshes(const Scene& scene) {
+  Resolution all = scene.bodies.at(0).resolution;
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) all.others.push_back(scene.bodies[i].resolution);
+  return all;
 }
 
 VectorXd frame_times(const Scene& scene) { return times_at(scene.frame_rate, scene.duration); }

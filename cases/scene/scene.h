@@ -28,9 +28,13 @@ struct Resolution {
   int degree;              // in [1, 4]
   std::vector<int> cells;  // each in [1, 1024]; splits of a cylinder also 0
   int graded = 0;          // in [0, 12]; only in scenes with contact
+  // Where it stands for a whole scene: of the bodies after the first, in the scene's order.
+  std::vector<Resolution> others = {};
 };
 bool operator==(const Resolution&, const Resolution&);
-std::string to_string(const Resolution& resolution);  // "Q4 1x4"
+std::string to_string(const Resolution& resolution);  // "Q4 1x4", of two bodies "Q3 2 graded 1 + Q2 24x2x1"
+// That of one body, by its place in the scene, of a whole scene's.
+Resolution of_body(const Resolution& scene_mesh, std::size_t body);
 
 // A base that moves as a rigid whole: u(t) is the displacement relative to it, and every point of the body feels the
 // d'Alembert force -rho a(t) direction. Damping acts on the relative velocity.
@@ -87,9 +91,10 @@ struct Obstacle {
 // both bodies in one point, F = k delta^(3/2): for theories, which have no local compliance.
 enum class ContactLaw { penalty, hertz };
 
-// What happens where a body meets an obstacle: points of the body's surface feel the law (mechanics/contact/law.h).
+// What happens where a body meets an obstacle or another body: points of the surface of `body` feel the law
+// (mechanics/contact/law.h), and what they meet feels the opposite.
 struct ContactPair {
-  std::string body, obstacle;
+  std::string body, obstacle;  // the latter the name of either
   double stiffness;       // k_n [Pa/m], of hertz k [N/m^1.5]; 0: auto, from the bodies and the size of the contact
   double damping = 0;     // d [s/m]
   double friction = 0;    // mu [-]; 0: frictionless
@@ -123,6 +128,8 @@ struct Rival {
   std::vector<double> time_steps;           // [s]; one of the two is empty
   std::vector<double> relative_tolerances;  // [-]
   int graded = 0;                           // of all its meshes, as that of a resolution
+  // Those of the second body, as many as `cells` has, at the same degrees; none: its own mesh, as all further bodies.
+  std::vector<std::vector<int>> second_cells = {};
 };
 // Reduced contenders that step with another integrator than the closed form: every method x mode count x time step or
 // tolerance.
@@ -146,7 +153,7 @@ struct Study {
 
 struct TruthSettings {
   double relative_tolerance;  // [-] of the adaptive integration, in [1e-12, 1e-2]; error bars take a hundredth of it
-  Resolution finer, coarser;  // truth `finer` and the neighbour whose distance is its discretisation bar
+  Resolution finer, coarser;  // truth `finer` and the neighbour whose distance is its discretisation bar: of all bodies
   std::string exact;          // name of a closed form (cases/exact/exact.h), or ""
 };
 
@@ -189,6 +196,9 @@ struct Scene {
 
 // The obstacle that strikes the body; nullptr: none does.
 const Obstacle* striker_of(const Scene& scene, const Body& body);
+// The body that another meets in this contact; nullptr: it meets an obstacle.
+const Body* partner_of(const Scene& scene, const ContactPair& pair);
+Resolution own_meshes(const Scene& scene);  // the bodies' own, of the whole scene
 
 VectorXd frame_times(const Scene& scene);   // [s] 0, 1/rate, ... up to the duration
 VectorXd sample_times(const Scene& scene);  // [s] likewise at samples_per_second, those from samples_from on

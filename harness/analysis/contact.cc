@@ -42,8 +42,8 @@ Finding force_history(const std::vector<ContactBasis>& bases, const AnalysisCont
   add(exact ? "truth, exact" : "truth, finer", not_applicable(), truth);
   Settings settings;
   settings.time_step = std::ranges::min(scene.study.contact_steps);
-  for (const auto& [of, basis] : bases) {
-    const auto prepared = prepare_floating(basis, context.catalogue.integrator("exact"), settings);
+  for (const auto& [of, prepared_bases] : bases) {
+    const auto prepared = prepare_floating(prepared_bases, context.catalogue.integrator("exact"), settings);
     add(of.method, count(of.modes),
         prepared->simulate({.t = sample_times(scene), .strain = false, .reconstruct = false}));
   }
@@ -56,7 +56,7 @@ std::vector<Finding> contact(const AnalysisContext& context) {
   for (const int r : few(mode_counts(context), n_mode_counts))
     for (const char* method : {"eigenmodes", "static-correction"}) {
       const ContactContender of{method, r};
-      bases.push_back({of, variants.basis(*context.scene, of)});
+      bases.push_back({of, variants.bases(*context.scene, of)});
     }
   std::vector<Finding> found{contact_meetings(*context.scene), contact_geometry(bases), force_history(bases, context)};
   for (Finding& times : contact_times(bases, context)) found.push_back(std::move(times));

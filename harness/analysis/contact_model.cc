@@ -32,7 +32,8 @@ Finding geometry_table() {
       "Every mode is fitted by monomials up to the degree offered; residuals are over the mode's own root mean "
       "square, and its largest value; coefficients below 1e-10 of it in sum are dropped. Condition: of the "
       "scaled, weighted monomials. Samples: points on the exact surface.",
-      {{"method", ""},
+      {{"body", ""},
+       {"method", ""},
        {"modes r", ""},
        {"degree", ""},
        {"coefficients", ""},
@@ -49,7 +50,10 @@ Finding geometry_table() {
 
 Finding contact_meetings(const Scene& scene) {
   Finding found = meeting_table();
-  for (const Meeting& meeting : touchdown(scene, scene.bodies.front()).meetings) {
+  std::vector<Meeting> meetings;
+  for (const Body& body : scene.bodies)
+    for (const Meeting& meeting : touchdown(scene, body).meetings) meetings.push_back(meeting);
+  for (const Meeting& meeting : meetings) {
     const ContactPair& pair = scene.contacts[meeting.contact];
     const ContactSize& size = meeting.size;
     const bool lumped = pair.law == ContactLaw::hertz;
@@ -75,7 +79,7 @@ void add_geometry(Finding& found, const ContactContender& of, const FloatingBasi
   const double n = static_cast<double>(fit.modes.size());
   Index n_samples = 0;
   for (const SampledContact& contact : basis.body.contacts) n_samples += contact.samples.w.size();
-  found.rows.push_back({of.method, n, count(fit.basis.monomials().degree()),
+  found.rows.push_back({basis.scene->bodies[basis.place].name, of.method, n, count(fit.basis.monomials().degree()),
                         3 * n * static_cast<double>(fit.n_monomials), kept, fit.condition,
                         n > 0 ? std::sqrt(square / n) : 0, worst, largest, count(basis.body.n_static()),
                         count(n_samples)});
@@ -85,7 +89,8 @@ void add_geometry(Finding& found, const ContactContender& of, const FloatingBasi
 
 Finding contact_geometry(const std::vector<ContactBasis>& bases) {
   Finding found = geometry_table();
-  for (const auto& [of, basis] : bases) add_geometry(found, of, *basis);
+  for (const auto& [of, every] : bases)
+    for (const FloatingBasis& basis : *every) add_geometry(found, of, basis);
   return found;
 }
 

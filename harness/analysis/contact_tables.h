@@ -11,7 +11,7 @@ namespace mb {
 // A contender with modes, of no step as yet, and what it is made of.
 struct ContactBasis {
   ContactContender of;
-  std::shared_ptr<const FloatingBasis> basis;
+  std::shared_ptr<const FloatingBases> bases;
 };
 
 Finding contact_meetings(const Scene& scene);

@@ -5,7 +5,8 @@
 #include "harness/analysis/contact_tables.h"
 #include "harness/measure.h"
 #include "modal/contact/contact_load.h"
-#include "modal/contact/next_touch.h"
+#include "modal/contact/meetings.h"
+#include "modal/contact/spin.h"
 
 namespace mb {
 
@@ -48,49 +49,66 @@ Finding run_table() {
        {"with displacements", "-"}});
 }
 
-// The states at the ends of steps while the body touches.
+using Plans = std::vector<ImpactPlan>;
+
+// The states at the ends of steps while the first body touches.
 struct Steps {
   VectorXd t;
-  ImpactMotion motion;
-  std::vector<FlightBegun> flights;
+  std::vector<ImpactMotion> motions;              // one a body
+  std::vector<std::vector<FlightBegun>> flights;  // likewise
 };
-Steps steps_of(const ImpactPlan& plan, double end) {
-  const ImpactMotion motion = impact_motion(plan, VectorXd::Constant(1, end));
+Steps steps_of(const Plans& plans, double end) {
+  const std::vector<ImpactMotion> motions = impact_motions(plans, VectorXd::Constant(1, end));
   std::vector<double> t;
-  for (const Touch& touch : motion.contact.touches)
-    for (double now = touch.start; now <= std::min(touch.end, end); now += plan.step) t.push_back(now);
-  Steps steps{Eigen::Map<const VectorXd>(t.data(), std::ssize(t)), {}, motion.flights};
-  steps.motion = impact_motion(plan, steps.t);
-  steps.motion.work = motion.work;
+  for (const Touch& touch : motions.front().contact.touches)
+    for (double now = touch.start; now <= std::min(touch.end, end); now += plans.front().step) t.push_back(now);
+  Steps steps{Eigen::Map<const VectorXd>(t.data(), std::ssize(t)), {}, {}};
+  for (const ImpactMotion& motion : motions) steps.flights.push_back(motion.flights);
+  steps.motions = impact_motions(plans, steps.t);
+  steps.motions.front().work = motions.front().work;
   return steps;
 }
 
-void search_again(const ImpactPlan& plan, const std::vector<FlightBegun>& flights, double end) {
-  for (std::size_t i = 0; i < flights.size(); ++i)
-    next_touch(plan, BodyFlight(plan.body, flights[i].from, flights[i].start), end, i > 0);
+void search_again(const Plans& plans, const std::vector<std::vector<FlightBegun>>& begun, double end) {
+  Meetings meetings(plans);
+  for (std::size_t i = 0; i < begun.front().size(); ++i) {
+    std::vector<BodyFlight> flights;
+    for (std::size_t b = 0; b < plans.size(); ++b)
+      flights.emplace_back(plans[b].body, begun[b][i].from, begun[b][i].start);
+    meetings.next(flights, end, i > 0);
+  }
 }
 
 struct Loads {
   Timing timing;
   double visited;  // samples a call
 };
-Loads loads_over(const ImpactPlan& plan, const std::vector<BodyState>& states) {
-  ContactLoads loads(plan.body);
-  ContactLoad load;
+Loads loads_over(const Plans& plans, const std::vector<ImpactMotion>& motions) {
+  std::vector<const FloatingBody*> bodies;
+  for (const ImpactPlan& plan : plans) bodies.push_back(&plan.body);
+  ContactLoads loads(bodies);
+  std::vector<ContactState> now(plans.size());
+  std::vector<VectorXd> rate(plans.size());
+  const std::size_t n = motions.front().states.size();
   double visited = 0;
   const auto pass = [&] {
     visited = 0;
     loads.touch();
-    for (std::size_t i = 1; i < states.size(); ++i) {
-      BodyState now = states[i];
-      now.s = states[i - 1].s;
-      loads.begin_step(now.s, plan.step);
-      loads(now, angular_velocity(plan.body, now), load);
-      visited += static_cast<double>(load.n_visited);
+    for (std::size_t i = 1; i < n; ++i) {
+      std::vector<Looked> looked;
+      for (std::size_t b = 0; b < plans.size(); ++b) {
+        now[b].body = motions[b].states[i];
+        now[b].body.s = motions[b].states[i - 1].s;
+        rate[b] = rates(plans[b].body, now[b].body);
+        looked.push_back({&now[b].body, angular_velocity(plans[b].body, now[b].body), &rate[b], &now[b].load});
+      }
+      loads.begin_step(static_shapes(now), plans.front().step);
+      loads(looked);
+      for (const ContactState& state : now) visited += static_cast<double>(state.load.n_visited);
     }
   };
   pass();
-  return {measure(pass), visited / std::max(1.0, static_cast<double>(states.size()) - 1)};
+  return {measure(pass), visited / std::max(1.0, static_cast<double>(n) - 1)};
 }
 
 class Account {
@@ -102,27 +120,29 @@ class Account {
     std::vector<double> steps = scene_.study.contact_steps;
     std::ranges::sort(steps, std::greater<>());
     for (const double h : steps) {
-      const ImpactPlan plan = impact_plan(*asked.basis, ContactScheme::exact, h);
-      const Steps run = steps_of(plan, scene_.duration);
-      if (run.motion.status != Status::ok && h > steps.back()) continue;
-      account(asked, plan, run);
+      const Plans plans = impact_plans(*asked.bases, ContactScheme::exact, h);
+      const Steps run = steps_of(plans, scene_.duration);
+      if (run.motions.front().status != Status::ok && h > steps.back()) continue;
+      account(asked, plans, run);
       return;
     }
   }
 
  private:
-  void account(const ContactBasis& asked, const ImpactPlan& plan, const Steps& run) {
+  void account(const ContactBasis& asked, const Plans& plans, const Steps& run) {
+    const ImpactPlan& plan = plans.front();
+    const ImpactMotion& motion = run.motions.front();
     const VectorXd end = VectorXd::Constant(1, scene_.duration);
-    const Timing whole = measure([&] { impact_motion(plan, end); });
-    const double search = measure([&] { search_again(plan, run.flights, scene_.duration); }).median;
-    const Loads loads = loads_over(plan, run.motion.states);
+    const Timing whole = measure([&] { impact_motions(plans, end); });
+    const double search = measure([&] { search_again(plans, run.flights, scene_.duration); }).median;
+    const Loads loads = loads_over(plans, run.motions);
     Settings settings;
     settings.time_step = plan.step;
-    const auto prepared = prepare_floating(asked.basis, exact_, settings);
+    const auto prepared = prepare_floating(asked.bases, exact_, settings);
     const Sampling all{.t = sample_times(scene_), .strain = false};
     const double shown = measure([&] { prepared->simulate(all); }).median;
-    const double n_calls = static_cast<double>(run.motion.states.size()) - 1,
-                 n_steps = static_cast<double>(run.motion.work.steps);
+    const double n_calls = static_cast<double>(motion.states.size()) - 1,
+                 n_steps = static_cast<double>(motion.work.steps);
     const double stepping = std::max(0.0, whole.median - search - loads.timing.median);
     const double reconstruction = std::max(0.0, shown - whole.median);
     const double sum = search + loads.timing.median + stepping + reconstruction;
@@ -130,13 +150,17 @@ class Account {
     const auto part = [&](const char* name, double calls, double seconds) {
       parts_.rows.push_back({asked.of.method, r, plan.step, name, calls, seconds, seconds / calls, seconds / sum});
     };
-    part("search for touches", static_cast<double>(run.flights.size()), search);
+    part("search for touches", static_cast<double>(run.flights.front().size()), search);
     part("loads of contact", n_calls, loads.timing.median);
     part("steps", n_steps, stepping);
     part("reconstruction", static_cast<double>(all.t.size()), reconstruction);
     Index n_samples = 0;
-    for (const SampledContact& contact : plan.body.contacts) n_samples += contact.samples.w.size();
-    runs_.rows.push_back({asked.of.method, r, count(plan.body.n_static()), plan.step, to_string(run.motion.status),
+    Index n_static = 0;
+    for (const ImpactPlan& each : plans) {
+      n_static += each.body.n_static();
+      for (const SampledContact& contact : each.body.contacts) n_samples += contact.samples.w.size();
+    }
+    runs_.rows.push_back({asked.of.method, r, count(n_static), plan.step, to_string(motion.status),
                           n_steps, count(n_samples), loads.visited, whole.median, whole.spread,
                           scene_.duration / whole.median, scene_.duration / shown});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "modal/bases/eigenmodes.h"
 #include "modal/contact/contact_step.h"
 
 namespace mb {
@@ -35,6 +36,10 @@ double least_step(const Study& study) {
 ContactVariants::ContactVariants(const AnalysisContext& context)
     : context_(context), n_modes_(std::ranges::max(mode_counts(context))), body_(modal_body(context, n_modes_)) {
   if (context.scene->contacts.empty()) throw std::invalid_argument("the scene has no contact to be varied");
+  modes_.push_back(body_.modes);
+  for (std::size_t i = 1; i < context.scene->bodies.size(); ++i)
+    modes_.push_back(lowest_modes(body_.scene_model.bodies[i].full->system(), n_modes_,
+                                  physical_shift(context.scene->bodies[i])));
 }
 
 std::vector<ContactContender> ContactVariants::contenders() const {
@@ -52,8 +57,8 @@ Scene ContactVariants::with_flight(double flight, double after) const {
   Scene scene = *context_.scene;
   Body& body = scene.bodies.front();
   const Touchdown down = touchdown(scene, body);
-  if (is_held(body) || !body.twist.angular_velocity.isZero(0) || !std::isfinite(down.t))
-    throw std::invalid_argument("only of free bodies without spin that meet an obstacle");
+  if (scene.bodies.size() > 1 || is_held(body) || !body.twist.angular_velocity.isZero(0) || !std::isfinite(down.t))
+    throw std::invalid_argument("only of one free body without spin that meets an obstacle");
   const Vector3d v = body.twist.velocity + down.t * scene.gravity;
   const Vector3d fallen = down.t * body.twist.velocity + down.t * down.t / 2 * scene.gravity;
   body.pose.position += fallen - flight * v;
@@ -74,16 +79,18 @@ std::shared_ptr<Model> with_scene(const Model& model, const Scene& scene) {
   return changed;
 }
 
-std::shared_ptr<const FloatingBasis> basis_of(const Model& model, const Modes& all, const ContactContender& contender) {
-  return std::make_shared<const FloatingBasis>(
-      floating_basis(model, leading(all, contender.modes), contender.method == "static-correction"));
+std::shared_ptr<const FloatingBases> bases_of(const Model& model, const std::vector<Modes>& all,
+                                              const ContactContender& contender) {
+  std::vector<Modes> asked;
+  for (const Modes& modes : all) asked.push_back(leading(modes, contender.modes));
+  return std::make_shared<const FloatingBases>(floating_bases(model, asked, contender.method == "static-correction"));
 }
 
 }  // namespace
 
-std::shared_ptr<const FloatingBasis> ContactVariants::basis(const Scene& scene,
+std::shared_ptr<const FloatingBases> ContactVariants::bases(const Scene& scene,
                                                             const ContactContender& contender) const {
-  return basis_of(*with_scene(body_.scene_model, scene), body_.modes, contender);
+  return bases_of(*with_scene(body_.scene_model, scene), modes_, contender);
 }
 
 std::unique_ptr<Prepared> ContactVariants::prepare(const Scene& scene, const ContactContender& contender) const {
@@ -96,7 +103,7 @@ std::unique_ptr<Prepared> ContactVariants::prepare(const Scene& scene, const Con
     return std::make_unique<Keeping>(changed, std::move(prepared));
   }
   settings.time_step = contender.time_step;
-  return std::make_unique<Keeping>(changed, prepare_floating(basis_of(*changed, body_.modes, contender),
+  return std::make_unique<Keeping>(changed, prepare_floating(bases_of(*changed, modes_, contender),
                                                              context_.catalogue.integrator("exact"), settings));
 }
 

@@ -27,7 +27,7 @@ class ContactVariants {
   Scene with_flight(double flight, double after) const;
 
   // Of a contender with modes.
-  std::shared_ptr<const FloatingBasis> basis(const Scene& scene, const ContactContender& contender) const;
+  std::shared_ptr<const FloatingBases> bases(const Scene& scene, const ContactContender& contender) const;
   std::unique_ptr<Prepared> prepare(const Scene& scene, const ContactContender& contender) const;
   Trajectory simulate(const Scene& scene, const ContactContender& contender) const;  // at its sample times
 
@@ -35,6 +35,7 @@ class ContactVariants {
   const AnalysisContext& context_;
   int n_modes_;
   ModalBody body_;
+  std::vector<Modes> modes_;  // of every body
 };
 
 }  // namespace mb

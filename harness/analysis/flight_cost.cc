@@ -68,13 +68,13 @@ std::vector<Finding> flight_cost(const AnalysisContext& context) {
   const Scene& scene = *context.scene;
   const double T = touchdown(scene, scene.bodies.front()).meetings.front().size.duration;
   const Integrator& exact = context.catalogue.integrator("exact");
-  const auto thrown = [&](double flight) { return variants.basis(variants.with_flight(flight, 3 * T), contender); };
-  const auto run = [&](const std::string& varied, const std::shared_ptr<const FloatingBasis>& basis, double flight,
+  const auto thrown = [&](double flight) { return variants.bases(variants.with_flight(flight, 3 * T), contender); };
+  const auto run = [&](const std::string& varied, const std::shared_ptr<const FloatingBases>& bases, double flight,
                        int refinement) {
     Settings settings;
     settings.time_step = contender.time_step / refinement;
-    const auto prepared = prepare_floating(basis, exact, settings);
-    const double duration = basis->scene->duration;
+    const auto prepared = prepare_floating(bases, exact, settings);
+    const double duration = bases->front().scene->duration;
     const Sampling sampling{.t = VectorXd::Constant(1, duration), .strain = false, .reconstruct = false};
     const Trajectory answer = prepared->simulate(sampling);
     const Timing timing = measure([&] { prepared->simulate(sampling); });

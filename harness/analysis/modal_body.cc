@@ -27,7 +27,7 @@ VectorXd damping_ratios(const System& system, const Modes& modes) {
 
 ModalBody modal_body(const AnalysisContext& context, int n_elastic) {
   const Body& body = context.scene->bodies.front();
-  const Model& scene_model = context.model(body.resolution);
+  const Model& scene_model = context.model(own_meshes(*context.scene));
   const BodyModel& model = scene_model.bodies.front();
   const System& system = model.full->system();
   ShiftedFactor shifted = shifted_factor(system, physical_shift(body));
@@ -39,7 +39,7 @@ std::vector<int> mode_counts(const AnalysisContext& context) {
   const Scene& scene = *context.scene;
   std::set<int> all(scene.study.modes.begin(), scene.study.modes.end());
   for (const Stepping& stepping : scene.study.steppings) all.insert(stepping.modes.begin(), stepping.modes.end());
-  const Index n = context.model(scene.bodies.front().resolution).bodies.front().full->system().K.rows();
+  const Index n = context.model(own_meshes(scene)).bodies.front().full->system().K.rows();
   std::vector<int> counts;
   for (const int r : all)
     if (r > 0 && 3 * r <= n) counts.push_back(r);

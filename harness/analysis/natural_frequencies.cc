@@ -117,7 +117,7 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
   if (reference.hertz.empty()) throw std::invalid_argument("the case states no [reference_frequencies]");
   const auto n = static_cast<int>(reference.hertz.size());
   std::vector<OnMesh> meshes;
-  for (const Resolution& r : {scene.truth.coarser, scene.bodies.front().resolution, scene.truth.finer})
+  for (const Resolution& r : {scene.truth.coarser, own_meshes(scene), scene.truth.finer})
     meshes.push_back(on_mesh(context, r, n));
   Finding found = table(
       "frequencies", "frequencies", "Natural frequencies against published ones",

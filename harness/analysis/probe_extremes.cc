@@ -37,7 +37,7 @@ VectorXd signal_of(const Trajectory& trajectory, const EvaluationPoints& points,
 
 double static_value(const AnalysisContext& context, const Probe& probe) {
   const Scene& scene = *context.scene;
-  const FullModel& full = *context.model(scene.bodies.front().resolution).bodies.front().full;
+  const FullModel& full = *context.model(own_meshes(scene)).bodies.front().full;
   const System& system = full.system();
   const VectorXd F = system.F * LoadFactors(system)(scene.duration);
   const MatrixXd u = inertia_relief(system, shifted_factor(system, physical_shift(scene.bodies.front())), F);

@@ -36,7 +36,7 @@ class Wanted {
       for (const Job& job : jobs(scene, catalogue)) hashes_.insert(job.hash);
       for (const Contender& truth : truth_contenders(scene)) hashes_.insert(run_hash(scene, truth));
       const double rtol = scene.truth.relative_tolerance;
-      const Resolution& own = scene.bodies.front().resolution;
+      const Resolution own = own_meshes(scene);
       for (const Resolution& mesh : {scene.truth.finer, scene.truth.coarser, own})
         hashes_.insert(truth_hash(scene, mesh, rtol));
       hashes_.insert(truth_hash(scene, own, rtol / 100));

@@ -53,7 +53,7 @@ class CaseEstimate {
       : scene_(scene), catalogue_(catalogue), n_samples_(static_cast<double>(sample_times(scene).size())) {}
 
   Estimate run() const {
-    const auto& own = scene_.bodies.front().resolution;
+    const Resolution own = own_meshes(scene_);
     const double rtol = scene_.truth.relative_tolerance;
     // Two at a time: the finer one beside the others.
     const double truth =
@@ -72,9 +72,11 @@ class CaseEstimate {
   // Of all bodies alike: the widest front.
   Mesh mesh(const Resolution& resolution) const {
     Mesh all{0, 0, resolution.degree};
-    for (const Body& body : scene_.bodies) {
-      all.n += n_dofs(body.shape, resolution, body.theory);
-      all.front = std::max(all.front, front(body, resolution));
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+      const Body& body = scene_.bodies[i];
+      const Resolution own = of_body(resolution, i);
+      all.n += n_dofs(body.shape, own, body.theory);
+      all.front = std::max(all.front, front(body, own));
     }
     return all;
   }
@@ -126,7 +128,7 @@ class CaseEstimate {
   }
 
   double analyses() const {
-    const Mesh own = mesh(scene_.bodies.front().resolution);
+    const Mesh own = mesh(own_meshes(scene_));
     double once = 0;
     for (const int r : scene_.study.modes) once += modes(own, r);
     return static_cast<double>(scene_.study.analyses.size()) * analysis_per_mode_count * once;

@@ -41,7 +41,7 @@ Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free
 }
 
 std::vector<TruthKind> Grader::kinds(const Record& base) const {
-  const bool same = base.contender.resolution == scene_.bodies.front().resolution;
+  const bool same = base.contender.resolution == own_meshes(scene_);
   std::vector<TruthKind> all = known_truths(truth_);
   if (!same) std::erase(all, TruthKind::same_mesh);
   return all;

@@ -35,7 +35,7 @@ std::vector<Contender> closed_form(const Scene& scene, const Catalogue& catalogu
   std::vector<Contender> all;
   for (const auto& method : scene.study.methods)
     for (const int modes : mode_counts(catalogue.method(method), scene.study.modes)) {
-      Contender contender{method, "exact", scene.bodies.front().resolution, {}};
+      Contender contender{method, "exact", own_meshes(scene), {}};
       contender.settings.modes = modes;
       if (scene.contacts.empty()) {
         contender.settings.load_tolerance = scene.study.load_tolerance;
@@ -50,16 +50,24 @@ std::vector<Contender> closed_form(const Scene& scene, const Catalogue& catalogu
 void append(std::vector<Contender>& all, const Stepping& stepping, const Scene& scene, const Catalogue& catalogue) {
   for (const auto& method : stepping.methods)
     for (const int modes : mode_counts(catalogue.method(method), stepping.modes)) {
-      Contender contender{method, stepping.integrator, scene.bodies.front().resolution, {}};
+      Contender contender{method, stepping.integrator, own_meshes(scene), {}};
       contender.settings.modes = modes;
       append(all, contender, stepping.time_steps, stepping.relative_tolerances);
     }
 }
 
-void append(std::vector<Contender>& all, const Rival& rival) {
-  for (const auto& cells : rival.cells)
+// The i-th mesh of a rival, of the whole scene.
+Resolution mesh_of(const Rival& rival, size_t i, int degree, const Scene& scene) {
+  Resolution all{degree, rival.cells[i], rival.graded};
+  all.others = own_meshes(scene).others;
+  if (!rival.second_cells.empty()) all.others.at(0) = {degree, rival.second_cells[i], rival.graded};
+  return all;
+}
+
+void append(std::vector<Contender>& all, const Rival& rival, const Scene& scene) {
+  for (size_t i = 0; i < rival.cells.size(); ++i)
     for (const int degree : rival.degrees)
-      append(all, {"full-order", rival.integrator, {degree, cells, rival.graded}, {}}, rival.time_steps,
+      append(all, {"full-order", rival.integrator, mesh_of(rival, i, degree, scene), {}}, rival.time_steps,
              rival.relative_tolerances);
 }
 
@@ -68,9 +76,9 @@ void append(std::vector<Contender>& all, const Rival& rival) {
 std::vector<Contender> contenders(const Scene& scene, const Catalogue& catalogue) {
   std::vector<Contender> all = closed_form(scene, catalogue);
   for (const Stepping& stepping : scene.study.steppings) append(all, stepping, scene, catalogue);
-  for (const Rival& rival : scene.study.rivals) append(all, rival);
+  for (const Rival& rival : scene.study.rivals) append(all, rival, scene);
   std::stable_sort(all.begin(), all.end(), [](const Contender& a, const Contender& b) {
-    const auto key = [](const Resolution& r) { return std::tuple(r.cells, r.degree, r.graded); };
+    const auto key = [](const Resolution& r) { return std::tuple(r.cells, r.degree, r.graded, to_string(r)); };
     return key(a.resolution) < key(b.resolution);
   });
   return all;
@@ -78,7 +86,7 @@ std::vector<Contender> contenders(const Scene& scene, const Catalogue& catalogue
 
 std::vector<Contender> truth_contenders(const Scene& scene) {
   std::vector<Contender> all;
-  for (const Resolution& resolution : {scene.truth.finer, scene.bodies.front().resolution}) {
+  for (const Resolution& resolution : {scene.truth.finer, own_meshes(scene)}) {
     all.push_back({"full-order", "sundials", resolution, {}});
     all.back().settings.relative_tolerance = scene.truth.relative_tolerance;
   }

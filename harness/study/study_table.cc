@@ -49,6 +49,7 @@ TomlFields fields_of(const Rival& rival) {
   put(fields, "cells", rival.cells);
   put(fields, "time_steps", rival.time_steps);
   put(fields, "relative_tolerances", rival.relative_tolerances);
+  put(fields, "second_cells", rival.second_cells);
   if (rival.graded > 0) fields["graded"] = value(rival.graded);
   return fields;
 }

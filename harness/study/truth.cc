@@ -102,7 +102,7 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
   TruthSet set;
   TruthRuns runs(scene, catalogue, store, progress);
   const TruthSettings& t = scene->truth;
-  const Resolution& mesh = scene->bodies.front().resolution;
+  const Resolution mesh = own_meshes(*scene);
   // The finer one costs about as much as the others together: two lanes.
   auto lane = std::async(std::launch::async, [&] {
     use_one_thread();

@@ -1,10 +1,15 @@
-// One body against one rigid obstacle, as the unknowns of a mesh see it:
+// One body against one rigid obstacle or another body, as the unknowns of their meshes see it:
 //
 //   x_i = X_i + (U u)_i,   f = sum_i w_i U_i^T t(gap(x_i), v_i),   v_i = (U u')_i
 //
-// Linear kinematics: the body's frame stands still, and everything is in its axes.
+// Against another body the gap is that of its deformed boundary, v_i relative to the foot S of x_i on it
+// (facets.h), and its nodes feel -N_a t: forces sum to zero, and torques, about current positions, but for the gap
+// times the friction. Linear kinematics: frames stand still, and everything is in the axes of one of them.
 #pragma once
 
+#include <memory>
+
+#include "mechanics/contact/facets.h"
 #include "mechanics/contact/law.h"
 
 namespace mb {
@@ -22,10 +27,11 @@ struct ContactScale {
 
 struct Contact {
   ContactPoints points;
-  RigidSurface surface;  // in the body's axes
+  RigidSurface surface;  // in the same axes; not looked at where there is a partner
   PenaltyLaw law;
   ContactScale scale;
   bool meets = true;  // the surfaces, at the start; points between may press a little later
+  std::shared_ptr<const Facets> partner = nullptr;  // of another body; none: an obstacle
 };
 
 }  // namespace mb

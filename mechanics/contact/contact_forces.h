@@ -1,10 +1,13 @@
-// Contact forces of one body on all its obstacles, gathered to the unknowns that they act on, C of n:
+// Contact forces on the unknowns that they act on, C of n:
 //
 //   f_C = sum_i w_i D_i^T t_i,   K_x = df/du,  K_v = df/du' (both negative semi-definite without friction)
 //
-// Where an obstacle is a half-space without friction, each point has one row, its normal component; else three.
+// Where an obstacle is a half-space without friction, each point has one row, its normal component; else three; the
+// nodes of another body's boundary follow with three each.
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "mechanics/contact/contact.h"
@@ -13,7 +16,7 @@ namespace mb {
 
 struct ContactSum {
   double least_gap;           // [m] over all points; infinity without points
-  Vector3d force;             // [N] on the body
+  Vector3d force;             // [N] on the bodies whose points are looked at
   double stored, dissipation; /* [J] in the layer; [W] lost in it and to friction, >= 0 */
 };
 
@@ -41,17 +44,23 @@ class ContactForces {
   using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   struct Part {
     const Contact* contact;
-    bool flat;      // one row a point
-    Rows D;         // rows m or 3 m x |C|
-    VectorXd gap0;  // [m] of a flat one at u = 0
-    Vector3d normal;
-    mutable VectorXd y, rate, t;  // of every row
-    mutable std::vector<Index> touching;
-    mutable std::vector<Eigen::Matrix3d> by_x, by_v;  // of touching points
+    bool flat = false;  // one row a point
+    Rows D = {};        // rows m, 3 m or, with k nodes of a partner, 3 (m + k); columns |C|
+    VectorXd gap0 = {};  // [m] of a flat one at u = 0
+    Vector3d normal = Vector3d::Zero();
+    mutable std::optional<FootSearch> feet = {};  // on a partner
+    mutable VectorXd y = {}, rate = {}, t = {};   // of every row
+    mutable std::vector<Index> touching = {};
+    mutable std::vector<Foot> at = {};                              // of touching points on a partner
+    mutable std::vector<Eigen::Matrix3d> by_x = {}, by_v = {};  // of touching points
   };
+  using Row = std::vector<std::pair<Index, double>>;  // column in C, entry
   ContactSum evaluate(const VectorXd& u, const VectorXd& v, VectorXd& f, bool with_tangent) const;
   static void flat_tractions(const Part& part, ContactSum& sum, bool with_tangent);
   static void tractions(const Part& part, ContactSum& sum, bool with_tangent);
+  static void tractions_between(const Part& part, ContactSum& sum, bool with_tangent);
+  static void push(const Part& part, Index i, const Traction3& t, const Gap& at, const Vector3d& v, ContactSum& sum);
+  static void relative_row(const Part& part, size_t touching, Index component, Row& row);
   void assemble(Tangent& tangent) const;
 
   std::vector<Index> dofs_;

@@ -92,4 +92,11 @@ std::vector<Touch> TouchLog::touches() const {
   return merged;
 }
 
+ContactHistory opposite(const ContactHistory& of_first) {
+  ContactHistory other{-of_first.force, -of_first.impulse, VectorXd::Zero(of_first.stored.size()),
+                       VectorXd::Zero(of_first.dissipated.size()), of_first.touches};
+  for (Touch& touch : other.touches) touch.impulse = -touch.impulse;
+  return other;
+}
+
 }  // namespace mb

@@ -26,6 +26,9 @@ struct ContactHistory {
   std::vector<Touch> touches;   // ascending
 };
 
+// What the other of two bodies feels of it; what is stored and lost between them counts with the first.
+ContactHistory opposite(const ContactHistory& of_first);
+
 // One state that a stepper came to.
 struct ContactMoment {
   double t;          // [s]

@@ -32,6 +32,7 @@ SparseMatrix Shifted::sparse_part(double gamma, double kappa) const {
   const auto [alpha, beta] = system_->damping;
   SparseMatrix S = (1 + gamma * alpha) * system_->M;
   if (gamma * beta + kappa != 0) S += (gamma * beta + kappa) * system_->K;
+  if (system_->viscous.rows() > 0) S += gamma * system_->viscous;
   for (Index i = 0; i < low_rank_.diagonal().size(); ++i) S.coeffRef(i, i) += gamma * low_rank_.diagonal()[i];
   S.makeCompressed();
   return S;

@@ -1,6 +1,7 @@
 // The operator of every implicit step, on one SPD factor:
 //
-//   A = M + gamma C + kappa K = S + gamma V diag(e) V^T,   S = (1 + gamma alpha) M + (gamma beta + kappa) K = L L^T
+//   A = M + gamma C + kappa K = S + gamma V diag(e) V^T,
+//   S = (1 + gamma alpha) M + (gamma beta + kappa) K + gamma C_viscous = L L^T
 //   A^-1 b = S^-1 b - Y G Y^T b,   Y = S^-1 V,   G = (I + gamma diag(e) V^T Y)^-1 gamma diag(e)
 //
 // with V diag(e) V^T the damping of low rank (rigid modes exempted, modes with ratios of their own;

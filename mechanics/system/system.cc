@@ -20,6 +20,7 @@ void require_consistent(const System& system) {
     throw std::invalid_argument(fmt::format("system of {} unknowns: sizes of {} disagree", n, which));
   };
   if (!masses || !is_square(system.K)) refuse("M, lumped mass and K");
+  if (system.viscous.rows() != 0 && !is_square(system.viscous)) refuse("M and V");
   if (!loads) refuse("F and s");
   if (!rigid) refuse("R and M");
   if (!ratios) refuse("W and d of modal damping");
@@ -27,7 +28,8 @@ void require_consistent(const System& system) {
 }
 
 bool is_damped(const System& system) {
-  return system.damping.alpha != 0 || system.damping.beta != 0 || (system.modal_damping.d.array() != 0).any();
+  return system.damping.alpha != 0 || system.damping.beta != 0 || (system.modal_damping.d.array() != 0).any() ||
+         system.viscous.nonZeros() > 0;
 }
 
 VectorXd apply_damping(const System& system, const VectorXd& v) {
@@ -40,6 +42,7 @@ VectorXd apply_damping(const System& system, const VectorXd& v) {
   if (system.damping.beta != 0) Cv += system.damping.beta * (system.K * v);
   const auto& [W, d] = system.modal_damping;
   if (d.size() > 0) Cv += W * d.cwiseProduct(W.transpose() * v);
+  if (system.viscous.rows() > 0) Cv += system.viscous * v;
   return Cv;
 }
 

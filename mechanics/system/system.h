@@ -1,6 +1,7 @@
 // One body, full or reduced:
 //
-//   M u'' + C u' + K u = F s(t),    C = alpha (M - M R R^T M) + beta K + W diag(d) W^T,    u(0) = u0, u'(0) = v0
+//   M u'' + C u' + K u = F s(t),    u(0) = u0, u'(0) = v0,
+//   C = alpha (M - M R R^T M) + beta K + W diag(d) W^T + V
 //
 // Free degrees of freedom only: supports are condensed, never unit rows. A reduced system is a System again, so every
 // integrator and every measure works on both.
@@ -26,6 +27,7 @@ struct System {
   MatrixXd F;              // [N] n x number of loads
   std::vector<History> s;  // one a column of F
   VectorXd u0, v0;         // [m], [m/s]; n
+  SparseMatrix viscous = {};  // V [N s/m] n x n, symmetric positive semi-definite; 0 x 0: none (joined.h)
 };
 
 void require_consistent(const System& system);  // throws std::invalid_argument where sizes disagree

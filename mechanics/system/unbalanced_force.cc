@@ -31,6 +31,7 @@ UnbalancedForce::UnbalancedForce(const System& system, Mass mass)
       factors_(system),
       w_(system.u0.size()) {
   if (system.damping.alpha != 0) M_product_.emplace(M_);
+  if (system.viscous.rows() > 0) viscous_product_.emplace(system.viscous);
 }
 
 void UnbalancedForce::operator()(double t, const VectorXd& u, const VectorXd& v, VectorXd& f) const {
@@ -44,6 +45,10 @@ void UnbalancedForce::operator()(double t, const VectorXd& u, const VectorXd& v,
   if (M_product_) {
     (*M_product_)(v, w_);
     f.noalias() += alpha * w_;
+  }
+  if (viscous_product_) {
+    (*viscous_product_)(v, w_);
+    f += w_;
   }
   low_rank_.add_product(1, v, f);
   f = -f;

@@ -31,7 +31,8 @@ class UnbalancedForce {
   const SparseMatrix& M_;
   MatrixXd R_;
   SymmetricProduct K_product_;
-  std::optional<SymmetricProduct> M_product_;  // where alpha is not 0
+  std::optional<SymmetricProduct> M_product_;        // where alpha is not 0
+  std::optional<SymmetricProduct> viscous_product_;  // where there is such damping
   LowRankDamping low_rank_;
   LoadFactors factors_;
   mutable VectorXd w_;  // n

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "modal/contact/body_pair.h"
 #include "modal/contact/contact_pair.h"
 
 namespace mb {
@@ -14,17 +15,33 @@ constexpr double balanced = 1e-10;  // [-] of the forces in the balance: far bel
 
 }  // namespace
 
-ContactLoads::ContactLoads(const FloatingBody& body) : body_(body), r_(body.n_static()), step_(body.n_static()) {
-  for (const SampledContact& contact : body.contacts) {
-    const bool flat = std::holds_alternative<HalfSpace>(contact.surface.shape) && !contact.law.friction;
-    pairs_.push_back(flat ? flat_pair(body, contact) : general_pair(body, contact));
+ContactLoads::ContactLoads(std::vector<const FloatingBody*> bodies) : bodies_(std::move(bodies)) {
+  for (const FloatingBody* body : bodies_) {
+    places_.push_back({n_z_, (body->free ? 6 : 0) + body->n_modes(), n_s_, body->n_static()});
+    n_z_ += places_.back().n_z, n_s_ += places_.back().n_s;
+  }
+  for (VectorXd* x : {&r_, &step_, &s_, &beta_}) x->setZero(n_s_);
+  static_stiffness_.setZero(n_s_, n_s_);
+  for (size_t b = 0; b < bodies_.size(); ++b) {
+    const Place& at = places_[b];
+    static_stiffness_.block(at.s, at.s, at.n_s, at.n_s) = bodies_[b]->static_stiffness;
+    beta_.segment(at.s, at.n_s).setConstant(bodies_[b]->static_damping);
+    for (const SampledContact& contact : bodies_[b]->contacts) {
+      if (contact.partner) {
+        const size_t other = contact.partner->body;
+        between_.push_back({b, other, std::make_unique<BodyPair>(*bodies_[b], *bodies_.at(other), contact)});
+        continue;
+      }
+      const bool flat = std::holds_alternative<HalfSpace>(contact.surface.shape) && !contact.law.friction;
+      pairs_.push_back({b, flat ? flat_pair(*bodies_[b], contact) : general_pair(*bodies_[b], contact)});
+    }
   }
 }
 ContactLoads::~ContactLoads() = default;
 ContactLoads::ContactLoads(ContactLoads&&) noexcept = default;
 
 void ContactLoads::begin_step(const VectorXd& s, double h) {
-  if (body_.static_damping == 0) return;
+  if (beta_.isZero(0)) return;
   n_past_ = n_past_ > 0 && h == h_ ? 2 : 1;
   long_before_ = before_;
   before_ = s;
@@ -32,20 +49,61 @@ void ContactLoads::begin_step(const VectorXd& s, double h) {
 }
 
 VectorXd ContactLoads::past() const {
-  if (n_past_ == 0) return VectorXd::Zero(body_.n_static());
+  if (n_past_ == 0) return VectorXd::Zero(n_s_);
   return n_past_ == 1 ? VectorXd(before_ / h_) : VectorXd((2 * before_ - 0.5 * long_before_) / h_);
+}
+
+// Frames and modes of a and b, their static shapes.
+std::vector<Index> ContactLoads::unknowns(const OfTwo& of) const {
+  std::vector<Index> all;
+  for (const size_t b : {of.a, of.b})
+    for (Index i = 0; i < places_[b].n_z; ++i) all.push_back(places_[b].z + i);
+  for (const size_t b : {of.a, of.b})
+    for (Index i = 0; i < places_[b].n_s; ++i) all.push_back(n_z_ + places_[b].s + i);
+  return all;
+}
+
+VectorXd ContactLoads::of_both(const VectorXd& s, const OfTwo& of) const {
+  VectorXd both(places_[of.a].n_s + places_[of.b].n_s);
+  both << own(s, of.a), own(s, of.b);
+  return both;
+}
+
+void ContactLoads::push(const VectorXd& s) {
+  if (bodies_.size() == 1) {
+    for (const OfBody& of : pairs_) of.pair->push(s, r_, H_);
+    return;
+  }
+  VectorXd r;
+  MatrixXd H;
+  for (const OfBody& of : pairs_) {
+    const Place& at = places_[of.body];
+    r.setZero(at.n_s), H.setZero(at.n_s, at.n_s);
+    of.pair->push(own(s, of.body), r, H);
+    r_.segment(at.s, at.n_s) += r;
+    H_.block(at.s, at.s, at.n_s, at.n_s) += H;
+  }
+  for (const OfTwo& of : between_) {
+    const Index n_a = places_[of.a].n_s, n = n_a + places_[of.b].n_s;
+    const auto at = [&](Index i) { return i < n_a ? places_[of.a].s + i : places_[of.b].s + i - n_a; };
+    r.setZero(n), H.setZero(n, n);
+    of.pair->push(of_both(s, of), r, H);
+    for (Index i = 0; i < n; ++i) {
+      r_[at(i)] += r[i];
+      for (Index j = 0; j < n; ++j) H_(at(i), at(j)) += H(i, j);
+    }
+  }
 }
 
 // Newton's method; where a step does not lessen the imbalance, half of it.
 bool ContactLoads::balance(VectorXd& s) {
-  const double beta = body_.static_damping, slope = 1 + beta * by_s();
-  const VectorXd carried = beta * past();
+  const VectorXd slope = 1 + by_s() * beta_.array(), carried = beta_.cwiseProduct(past());
   const auto imbalance = [&] {
     r_.setZero();
-    H_ = slope * body_.static_stiffness;
-    for (const auto& pair : pairs_) pair->push(s, r_, H_);
-    const double size = std::max(r_.norm(), slope * (body_.static_stiffness * s).norm());
-    r_.noalias() -= body_.static_stiffness * (slope * s - carried);
+    H_.noalias() = static_stiffness_ * slope.asDiagonal();
+    push(s);
+    const double size = std::max(r_.norm(), (static_stiffness_ * slope.cwiseProduct(s)).norm());
+    r_.noalias() -= static_stiffness_ * (slope.cwiseProduct(s) - carried);
     return std::pair(r_.norm(), size);
   };
   auto [off, size] = imbalance();
@@ -67,46 +125,81 @@ bool ContactLoads::balance(VectorXd& s) {
   return false;
 }
 
+void ContactLoads::look(std::span<const Looked> bodies) {
+  for (const OfBody& of : pairs_) of.pair->look(*bodies[of.body].state, bodies[of.body].Omega);
+  const auto moving = [&](size_t b) { return BodyPair::Moving{bodies[b].state, bodies[b].Omega, bodies[b].rate}; };
+  for (const OfTwo& of : between_) of.pair->look(moving(of.a), moving(of.b));
+}
+
+bool ContactLoads::covers(const VectorXd& s) {
+  bool covered = true;
+  for (const OfBody& of : pairs_) covered = of.pair->covers(own(s, of.body)) && covered;
+  for (const OfTwo& of : between_) covered = of.pair->covers(of_both(s, of)) && covered;
+  return covered;
+}
+
 // Static shapes may bring more samples to the obstacle than were looked at: then once more, from where they came to.
-bool ContactLoads::settle(BodyState& state, const Vector3d& Omega) {
+bool ContactLoads::settle(std::span<const Looked> bodies) {
   for (int round = 0; round < max_rounds; ++round) {
-    for (const auto& pair : pairs_) pair->look(state, Omega);
-    if (body_.n_static() == 0) return true;
-    if (!balance(state.s)) return false;
-    bool covered = true;
-    for (const auto& pair : pairs_) covered = pair->covers(state.s) && covered;
-    if (covered) return true;
+    look(bodies);
+    if (n_s_ == 0) return true;
+    for (size_t b = 0; b < bodies.size(); ++b) s_.segment(places_[b].s, places_[b].n_s) = bodies[b].state->s;
+    const bool found = balance(s_);
+    for (size_t b = 0; b < bodies.size(); ++b) bodies[b].state->s = own(s_, b);
+    if (!found) return false;
+    if (covers(s_)) return true;
   }
   return false;
 }
 
-void ContactLoads::operator()(BodyState& state, const Vector3d& Omega, ContactLoad& load) {
-  load = {Vector3d::Zero(),
-          Vector3d::Zero(),
-          std::move(load.modal),
-          std::numeric_limits<double>::infinity(),
-          0,
-          0,
-          0,
-          true};
-  load.modal.setZero(body_.n_modes());
-  load.converged = settle(state, Omega);
-  if (body_.n_static() > 0) {
-    const VectorXd rate = by_s() * state.s - past();
-    load.stored += 0.5 * state.s.dot(body_.static_stiffness * state.s);
-    load.dissipation += body_.static_damping * rate.dot(body_.static_stiffness * rate);
+void ContactLoads::operator()(std::span<const Looked> bodies) {
+  for (size_t b = 0; b < bodies.size(); ++b) {
+    ContactLoad& load = *bodies[b].load;
+    load = {Vector3d::Zero(),
+            Vector3d::Zero(),
+            std::move(load.modal),
+            std::numeric_limits<double>::infinity(),
+            0,
+            0,
+            0,
+            true};
+    load.modal.setZero(bodies_[b]->n_modes());
   }
-  for (const auto& pair : pairs_) pair->act(state.s, load);
+  const bool converged = settle(bodies);
+  const VectorXd rate = n_s_ > 0 ? VectorXd(by_s() * s_ - past()) : VectorXd();
+  for (size_t b = 0; b < bodies.size(); ++b) {
+    const FloatingBody& body = *bodies_[b];
+    ContactLoad& load = *bodies[b].load;
+    load.converged = converged;
+    if (body.n_static() == 0) continue;
+    const VectorXd &s = bodies[b].state->s, own_rate = own(rate, b);
+    load.stored += 0.5 * s.dot(body.static_stiffness * s);
+    load.dissipation += body.static_damping * own_rate.dot(body.static_stiffness * own_rate);
+  }
+  for (const OfBody& of : pairs_) of.pair->act(bodies[of.body].state->s, *bodies[of.body].load);
+  for (const OfTwo& of : between_) of.pair->act(of_both(s_, of), *bodies[of.a].load, *bodies[of.b].load);
 }
 
 MatrixXd ContactLoads::stiffness(const VectorXd& s, double rate) {
-  const Index n = (body_.free ? 6 : 0) + body_.n_modes(), n_s = body_.n_static();
-  MatrixXd K = MatrixXd::Zero(n + n_s, n + n_s);
-  K.bottomRightCorner(n_s, n_s) = (1 + body_.static_damping * by_s()) * body_.static_stiffness;
-  for (const auto& pair : pairs_) pair->stiffen(s, rate, K);
-  if (n_s == 0) return K;
-  const MatrixXd follow = K.bottomRightCorner(n_s, n_s).partialPivLu().solve(K.bottomLeftCorner(n_s, n));
-  return K.topLeftCorner(n, n) - K.topRightCorner(n, n_s) * follow;
+  MatrixXd K = MatrixXd::Zero(n_z_ + n_s_, n_z_ + n_s_), part;
+  K.bottomRightCorner(n_s_, n_s_) = static_stiffness_ * (1 + by_s() * beta_.array()).matrix().asDiagonal();
+  const auto add = [&](const std::vector<Index>& at, const auto& stiffen) {
+    part.setZero(std::ssize(at), std::ssize(at));
+    stiffen();
+    for (size_t i = 0; i < at.size(); ++i)
+      for (size_t j = 0; j < at.size(); ++j) K(at[i], at[j]) += part(static_cast<Index>(i), static_cast<Index>(j));
+  };
+  for (const OfBody& of : pairs_) {
+    const Place& here = places_[of.body];
+    std::vector<Index> at;
+    for (Index i = 0; i < here.n_z; ++i) at.push_back(here.z + i);
+    for (Index i = 0; i < here.n_s; ++i) at.push_back(n_z_ + here.s + i);
+    add(at, [&] { of.pair->stiffen(own(s, of.body), rate, part); });
+  }
+  for (const OfTwo& of : between_) add(unknowns(of), [&] { of.pair->stiffen(of_both(s, of), rate, part); });
+  if (n_s_ == 0) return K;
+  const MatrixXd follow = K.bottomRightCorner(n_s_, n_s_).partialPivLu().solve(K.bottomLeftCorner(n_s_, n_z_));
+  return K.topLeftCorner(n_z_, n_z_) - K.topRightCorner(n_z_, n_s_) * follow;
 }
 
 }  // namespace mb

@@ -15,7 +15,7 @@ constexpr int max_iterations = 30;
 constexpr double least_part = 1.0 / 128;  // [-] of Newton's step
 constexpr double tolerance = 1e-10;       // [-] of the momenta in play: far below the error of any step
 
-// One step from `state`, whose load is known, on.
+// One step of a body from `state`, whose load is known, on.
 class NewmarkStep {
  public:
   NewmarkStep(const FloatingBody& body, const VectorXd& lambda, const VectorXd& c, double h, ContactState& state)
@@ -62,20 +62,17 @@ class NewmarkStep {
     return std::isfinite(x.sum()) ? std::sqrt((x.array().square() / mass_.array()).sum())
                                   : std::numeric_limits<double>::infinity();
   }
-  bool balanced(const VectorXd& residual) const {
-    const double off = size(residual);
-    return std::isfinite(off) && off <= tolerance * (size(momentum0_) + h_ * (pushed0_ + pushed()));
-  }
+  // Of the momenta in play.
+  double scale() const { return size(momentum0_) + h_ * (pushed0_ + pushed()); }
+  Index n() const { return y0_.size(); }
 
-  VectorXd newton_step(const VectorXd& residual, const MatrixXd& contact_stiffness) const {
-    MatrixXd jacobian = h_ * h_ / 4 * contact_stiffness;
-    jacobian.diagonal().tail(r_).array() += 1 + h_ / 2 * c_.array() + h_ * h_ / 4 * lambda_.array();
-    if (body_.free) {
-      const Eigen::Matrix3d Q = state_.body.Q.toRotationMatrix();
-      jacobian.diagonal().head<3>().array() += body_.mass;
-      jacobian.block<3, 3>(3, 3) += Q * body_.inertia * Q.transpose();
-    }
-    return jacobian.partialPivLu().solve(residual);
+  // d imbalance / dy without contact, added to the block.
+  void add_jacobian(Eigen::Ref<MatrixXd> block) const {
+    block.diagonal().tail(r_).array() += 1 + h_ / 2 * c_.array() + h_ * h_ / 4 * lambda_.array();
+    if (!body_.free) return;
+    const Eigen::Matrix3d Q = state_.body.Q.toRotationMatrix();
+    block.diagonal().head<3>().array() += body_.mass;
+    block.block<3, 3>(3, 3) += Q * body_.inertia * Q.transpose();
   }
   // Momenta from the forces themselves: handed over to rounding, not to the tolerance.
   void hand_over() {
@@ -124,18 +121,88 @@ class NewmarkStep {
 
 }  // namespace
 
-bool ContactStepper::advance_by_newmark(ContactState& state) {
-  NewmarkStep step(body_, lambda_, c_, h_, state);
+namespace {
+
+// All bodies: their rates y below each other.
+class NewmarkSteps {
+ public:
+  explicit NewmarkSteps(std::vector<NewmarkStep> steps) : steps_(std::move(steps)) {
+    for (const NewmarkStep& step : steps_) n_ += step.n();
+  }
+  VectorXd y0() {
+    return gathered([](const NewmarkStep& step) { return step.y0(); });
+  }
+  void place(const VectorXd& y) {
+    each(y, [](NewmarkStep& step, const auto& own) { step.place(own); });
+  }
+  VectorXd imbalance() {
+    return gathered([](NewmarkStep& step) { return step.imbalance(); });
+  }
+  double size(const VectorXd& x) {
+    double sum = 0;
+    each(x, [&](NewmarkStep& step, const auto& own) { sum = std::hypot(sum, step.size(own)); });
+    return sum;
+  }
+  bool balanced(const VectorXd& residual) {
+    double scale = 0;
+    for (const NewmarkStep& step : steps_) scale += step.scale();
+    const double off = size(residual);
+    return std::isfinite(off) && off <= tolerance * scale;
+  }
+  VectorXd newton_step(const VectorXd& residual, MatrixXd jacobian) {
+    Index first = 0;
+    for (const NewmarkStep& step : steps_) {
+      step.add_jacobian(jacobian.block(first, first, step.n(), step.n()));
+      first += step.n();
+    }
+    return jacobian.partialPivLu().solve(residual);
+  }
+  void hand_over() {
+    for (NewmarkStep& step : steps_) step.hand_over();
+  }
+
+ private:
+  template <class Part>
+  void each(const VectorXd& all, const Part& part) {
+    Index first = 0;
+    for (NewmarkStep& step : steps_) {
+      part(step, VectorXd(all.segment(first, step.n())));
+      first += step.n();
+    }
+  }
+  template <class Part>
+  VectorXd gathered(const Part& part) {
+    VectorXd all(n_);
+    Index first = 0;
+    for (NewmarkStep& step : steps_) {
+      all.segment(first, step.n()) = part(step);
+      first += step.n();
+    }
+    return all;
+  }
+
+  std::vector<NewmarkStep> steps_;
+  Index n_ = 0;
+};
+
+}  // namespace
+
+bool ContactStepper::advance_by_newmark(std::span<ContactState> states) {
+  std::vector<NewmarkStep> each;
+  for (size_t b = 0; b < states.size(); ++b)
+    each.emplace_back(*bodies_[b].body, bodies_[b].lambda, bodies_[b].c, h_, states[b]);
+  NewmarkSteps step(std::move(each));
   const auto imbalance = [&](const VectorXd& y) {
     step.place(y);
-    look(state);
+    look(states);
     return step.imbalance();
   };
   VectorXd y = step.y0(), residual = imbalance(y);
   for (int i = 0; !step.balanced(residual); ++i) {
     const double before = step.size(residual);
-    if (i == max_iterations || !std::isfinite(before) || !state.load.converged) return false;
-    const VectorXd change = step.newton_step(residual, loads_.stiffness(state.body.s, 2 / h_));
+    if (i == max_iterations || !std::isfinite(before) || !converged(states)) return false;
+    const VectorXd change =
+        step.newton_step(residual, h_ * h_ / 4 * loads_.stiffness(static_shapes(states), 2 / h_));
     double part = 1;
     for (residual = imbalance(y - change); !(step.size(residual) < before) && part > least_part;) {
       part /= 2;
@@ -144,7 +211,7 @@ bool ContactStepper::advance_by_newmark(ContactState& state) {
     y -= part * change;
   }
   step.hand_over();
-  return state.load.converged;
+  return converged(states);
 }
 
 }  // namespace mb

@@ -19,23 +19,23 @@ constexpr double left_over = 1e-14;  // [-] of the whole response's energy: roun
 
 // One column a disc: the nodal forces of its pressure along the inward normal; where friction rubs, every other disc
 // once more along either tangent, and with pressures that tilt, p x/a and p y/a: what rubs at its base leans.
-MatrixXd disc_forces(const Body& body, const FullModel& full, const Meeting& meeting, bool rubs) {
-  const double largest = std::min(2 * meeting.size.radius, 0.5 * extent(body.shape));
+MatrixXd disc_forces(const Body& body, const FullModel& full, const TouchedAt& at, bool rubs) {
+  const double largest = std::min(2 * at.meeting.size.radius, 0.5 * extent(body.shape));
   const double smallest = largest * std::pow(ratio, n_discs - 1);
-  const Vector3d inward = -signed_distance(body.shape, meeting.X).gradient;
+  const Vector3d inward = -signed_distance(body.shape, at.X).gradient;
   const Vector3d along = inward.unitOrthogonal(), across = inward.cross(along);
-  const GradedRule rule = graded_rule(body.shape, {meeting.X}, {smallest / 4, largest / 4, 0.25, 3}, largest);
+  const GradedRule rule = graded_rule(body.shape, {at.X}, {smallest / 4, largest / 4, 0.25, 3}, largest);
   MatrixXd p = MatrixXd::Zero(3 * rule.weights.size(), n_discs + (rubs ? 4 * n_rubbing : 0));
   for (Index i = 0; i < rule.weights.size(); ++i) {
     // Faces around an edge do not touch.
     if (signed_distance(body.shape, rule.points.col(i)).gradient.dot(inward) > -facing) continue;
-    const double distance = (rule.points.col(i) - meeting.X).norm();
+    const double distance = (rule.points.col(i) - at.X).norm();
     double a = largest;
     for (int k = 0; k < n_discs && distance < a; ++k, a *= ratio) {
       const double share = rule.weights[i] * std::sqrt(1 - distance * distance / (a * a));
       p.block<3, 1>(3 * i, k) = share * inward;
       if (!rubs || k % 2 == 1) continue;
-      const Vector3d arm = (rule.points.col(i) - meeting.X) / a;
+      const Vector3d arm = (rule.points.col(i) - at.X) / a;
       p.block<3, 1>(3 * i, n_discs + 2 * k) = share * along;
       p.block<3, 1>(3 * i, n_discs + 2 * k + 1) = share * across;
       p.block<3, 1>(3 * i, n_discs + 2 * k + 2) = share * arm.dot(along) * inward;
@@ -54,17 +54,16 @@ MatrixXd point_force(const Scene& scene, const Body& body, const FullModel& full
 
 }  // namespace
 
-MatrixXd contact_shapes(const Scene& scene, const BodyModel& model, const Modes& modes, double shift,
-                        const Touchdown& touchdown) {
+MatrixXd contact_shapes(const Scene& scene, const Body& body, const BodyModel& model, const Modes& modes,
+                        double shift) {
   const System& system = model.full->system();
-  const Body& body = scene.bodies.front();
   MatrixXd F(system.u0.size(), 0);
-  for (const Meeting& meeting : touchdown.meetings) {
-    if (!std::isfinite(meeting.t)) continue;
-    const ContactPair& pair = scene.contacts.at(meeting.contact);
+  for (const TouchedAt& at : touched_at(scene, body)) {
+    if (!std::isfinite(at.meeting.t)) continue;
+    const ContactPair& pair = scene.contacts.at(at.meeting.contact);
     const bool lumped = pair.law == ContactLaw::hertz;
-    const MatrixXd forces = lumped ? point_force(scene, body, *model.full, meeting)
-                                   : disc_forces(body, *model.full, meeting, pair.friction > 0);
+    const MatrixXd forces = lumped ? point_force(scene, body, *model.full, at.meeting)
+                                   : disc_forces(body, *model.full, at, pair.friction > 0);
     F.conservativeResize(Eigen::NoChange, F.cols() + forces.cols());
     F.rightCols(forces.cols()) = forces;
   }

@@ -13,8 +13,8 @@
 
 namespace mb {
 
-// n x n_s, n_s as many as are independent; 0 columns where the scene's contacts have no first touch.
-MatrixXd contact_shapes(const Scene& scene, const BodyModel& body, const Modes& modes, double shift,
-                        const Touchdown& touchdown);
+// n x n_s, n_s as many as are independent; 0 columns where nothing that the body meets, or that meets it, has a first
+// touch.
+MatrixXd contact_shapes(const Scene& scene, const Body& body, const BodyModel& model, const Modes& modes, double shift);
 
 }  // namespace mb

@@ -15,51 +15,90 @@ std::optional<ContactScheme> contact_scheme(const std::string& integrator) {
   return std::nullopt;
 }
 
-ContactStepper::ContactStepper(const FloatingBody& body, ContactScheme scheme, double h)
-    : body_(body), scheme_(scheme), h_(h), loads_(body) {
-  if (!(h > 0 && std::isfinite(h))) throw std::invalid_argument("contact: the step must be positive and finite");
-  if (body.coupling && scheme != ContactScheme::exact)
-    throw std::invalid_argument("contact: of a body whose rotation and modes are coupled only 'exact' has steps");
-  if (body.coupling) coupled_.emplace(body, h);
-  const Index r = body.n_modes();
-  for (VectorXd* x : {&lambda_, &c_, &C_, &S_, &C_dot_, &S_dot_, &P_, &scratch_}) x->resize(r);
+ContactStepper::OfBody::OfBody(const FloatingBody& of, double h) : body(&of) {
+  if (of.coupling) coupled.emplace(of, h);
+  const Index r = of.n_modes();
+  for (VectorXd* x : {&lambda, &c, &C, &S, &C_dot, &S_dot, &P}) x->resize(r);
   for (Index i = 0; i < r; ++i) {
-    const Roots& mode = body.modes[static_cast<size_t>(i)];
+    const Roots& mode = of.modes[static_cast<size_t>(i)];
     const Response x = response(mode, h);
-    lambda_[i] = mode.k, c_[i] = 2 * mode.h;
-    C_[i] = x.C, S_[i] = x.S, C_dot_[i] = x.C_dot, S_dot_[i] = x.S_dot, P_[i] = x.P;
+    lambda[i] = mode.k, c[i] = 2 * mode.h;
+    C[i] = x.C, S[i] = x.S, C_dot[i] = x.C_dot, S_dot[i] = x.S_dot, P[i] = x.P;
   }
-  inverse_inertia_ = body.free ? Eigen::Matrix3d(body.inertia.inverse()) : Eigen::Matrix3d::Zero();
+  inverse_inertia = of.free ? Eigen::Matrix3d(of.inertia.inverse()) : Eigen::Matrix3d::Zero();
 }
 
-void ContactStepper::touch(ContactState& state) {
+ContactStepper::ContactStepper(const std::vector<const FloatingBody*>& bodies, ContactScheme scheme, double h)
+    : scheme_(scheme), h_(h), loads_(bodies) {
+  if (!(h > 0 && std::isfinite(h))) throw std::invalid_argument("contact: the step must be positive and finite");
+  for (const FloatingBody* body : bodies) {
+    if (body->coupling && scheme != ContactScheme::exact)
+      throw std::invalid_argument("contact: of a body whose rotation and modes are coupled only 'exact' has steps");
+    bodies_.emplace_back(*body, h);
+  }
+}
+
+void ContactStepper::touch(std::span<ContactState> states) {
   loads_.touch();
   has_before_ = false;
-  look(state);
+  look(states);
 }
 
-void ContactStepper::look(ContactState& state) {
+void ContactStepper::look(std::span<ContactState> states) {
   ++n_evaluations_;
-  BodyState& b = state.body;
-  if (!body_.coupling) return loads_(b, angular_velocity(body_, b), state.load);
-  const Spin now = spin(body_, b);
-  const VectorXd momenta = std::exchange(b.p, now.rate);  // contact feels velocities
-  loads_(b, b.Q * now.Omega, state.load);
-  b.p = momenta;
+  std::vector<Looked> looked;
+  std::vector<VectorXd> momenta(states.size());  // of bodies with coupling: contact feels velocities
+  for (size_t b = 0; b < states.size(); ++b) {
+    BodyState& state = states[b].body;
+    const FloatingBody& body = *bodies_[b].body;
+    Vector3d Omega;
+    if (body.coupling) {
+      const Spin now = spin(body, state);
+      momenta[b] = std::exchange(state.p, now.rate);
+      Omega = state.Q * now.Omega;
+    } else {
+      Omega = angular_velocity(body, state);
+    }
+    looked.push_back({&state, Omega, &state.p, &states[b].load});
+  }
+  loads_(looked);
+  for (size_t b = 0; b < states.size(); ++b)
+    if (bodies_[b].body->coupling) states[b].body.p.swap(momenta[b]);
 }
 
-void ContactStepper::look_ahead(ContactState& state) {
-  s_ = state.body.s;
-  if (has_before_) state.body.s += s_ - s_before_;
+VectorXd static_shapes(std::span<const ContactState> states) {
+  Index n = 0;
+  for (const ContactState& state : states) n += state.body.s.size();
+  VectorXd all(n);
+  n = 0;
+  for (const ContactState& state : states) {
+    all.segment(n, state.body.s.size()) = state.body.s;
+    n += state.body.s.size();
+  }
+  return all;
+}
+
+bool ContactStepper::converged(std::span<const ContactState> states) { return states.front().load.converged; }
+
+void ContactStepper::look_ahead(std::span<ContactState> states) {
+  s_ = static_shapes(states);
+  if (has_before_) {
+    Index n = 0;
+    for (ContactState& state : states) {
+      VectorXd& s = state.body.s;
+      s += s_.segment(n, s.size()) - s_before_.segment(n, s.size());
+      n += s.size();
+    }
+  }
   s_before_.swap(s_);
   has_before_ = true;
-  look(state);
+  look(states);
 }
 
-void ContactStepper::kick(ContactState& state, double tau) const {
+void ContactStepper::OfBody::kick(ContactState& state, double tau) const {
   BodyState& b = state.body;
-  if (body_.free) {
-    b.v += (tau / body_.mass) * state.load.force;
+  if (body->free) {
+    b.v += (tau / body->mass) * state.load.force;
     b.L += tau * state.load.torque;
   }
   b.p.noalias() += tau * state.load.modal;
@@ -68,61 +107,65 @@ void ContactStepper::kick(ContactState& state, double tau) const {
 }
 
 // By the angular velocity half way, found from the momentum.
-void ContactStepper::turn(BodyState& b, double tau) const {
+void ContactStepper::OfBody::turn(BodyState& b, double tau) const {
   if (b.L.isZero(0)) return;
   const auto omega = [&](const Eigen::Quaterniond& Q) -> Vector3d {
-    return Q * (inverse_inertia_ * (Q.conjugate() * b.L));
+    return Q * (inverse_inertia * (Q.conjugate() * b.L));
   };
   b.Q = turned(b.Q, tau * omega(turned(b.Q, tau / 2 * omega(b.Q))));
 }
 
-void ContactStepper::drift(BodyState& b) const {
-  if (body_.free) {
-    b.c += h_ * b.v + (h_ * h_ / 2) * body_.gravity;
-    b.v += h_ * body_.gravity;
-    if (coupled_) {
-      b = coupled_->advance(std::move(b));
+void ContactStepper::OfBody::drift(BodyState& b, double h) const {
+  if (body->free) {
+    b.c += h * b.v + (h * h / 2) * body->gravity;
+    b.v += h * body->gravity;
+    if (coupled) {
+      b = coupled->advance(std::move(b));
       return;
     }
-    turn(b, h_);
+    turn(b, h);
   }
   const auto &q = b.q.array(), &p = b.p.array();
-  auto next = (C_.array() * q + S_.array() * p + P_.array() * body_.weight.array()).eval();
-  b.p = C_dot_.array() * q + S_dot_.array() * p + S_.array() * body_.weight.array();
+  auto next = (C.array() * q + S.array() * p + P.array() * body->weight.array()).eval();
+  b.p = C_dot.array() * q + S_dot.array() * p + S.array() * body->weight.array();
   b.q = next;
 }
 
-bool ContactStepper::advance_exactly(ContactState& state) {
-  kick(state, h_ / 2);
-  drift(state.body);
-  look_ahead(state);
-  kick(state, h_ / 2);
-  return state.load.converged;
-}
-
-bool ContactStepper::advance_by_euler(ContactState& state) {
-  BodyState& b = state.body;
-  b.p.array() += h_ * (body_.weight.array() - c_.array() * b.p.array() - lambda_.array() * b.q.array());
-  kick(state, h_);
-  b.q.noalias() += h_ * b.p;
-  if (body_.free) {
-    b.v += h_ * body_.gravity;
-    b.c += h_ * b.v;
-    turn(b, h_);
+bool ContactStepper::advance_exactly(std::span<ContactState> states) {
+  for (size_t i = 0; i < states.size(); ++i) {
+    bodies_[i].kick(states[i], h_ / 2);
+    bodies_[i].drift(states[i].body, h_);
   }
-  look_ahead(state);
-  return state.load.converged;
+  look_ahead(states);
+  for (size_t i = 0; i < states.size(); ++i) bodies_[i].kick(states[i], h_ / 2);
+  return converged(states);
 }
 
-bool ContactStepper::advance(ContactState& state) {
-  loads_.begin_step(state.body.s, h_);
+bool ContactStepper::advance_by_euler(std::span<ContactState> states) {
+  for (size_t i = 0; i < states.size(); ++i) {
+    const OfBody& of = bodies_[i];
+    BodyState& b = states[i].body;
+    b.p.array() += h_ * (of.body->weight.array() - of.c.array() * b.p.array() - of.lambda.array() * b.q.array());
+    of.kick(states[i], h_);
+    b.q.noalias() += h_ * b.p;
+    if (!of.body->free) continue;
+    b.v += h_ * of.body->gravity;
+    b.c += h_ * b.v;
+    of.turn(b, h_);
+  }
+  look_ahead(states);
+  return converged(states);
+}
+
+bool ContactStepper::advance(std::span<ContactState> states) {
+  loads_.begin_step(static_shapes(states), h_);
   switch (scheme_) {
     case ContactScheme::exact:
-      return advance_exactly(state);
+      return advance_exactly(states);
     case ContactScheme::symplectic_euler:
-      return advance_by_euler(state);
+      return advance_by_euler(states);
     case ContactScheme::newmark:
-      return advance_by_newmark(state);
+      return advance_by_newmark(states);
   }
   throw std::logic_error("no such scheme");
 }

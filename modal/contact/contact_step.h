@@ -1,4 +1,4 @@
-// A step h of a floating body in contact (floating_body.h), by one of
+// A step h of floating bodies in contact (floating_body.h), all of them at once, by one of
 //
 //   exact              kick h/2, every mode in closed form over h, kick h/2: the contact force acts in pieces
 //                      (Deuflhard 1979, J. Appl. Math. Phys. 30; Hairer, Lubich & Wanner 2006, Geometric Numerical
@@ -12,7 +12,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "modal/contact/contact_load.h"
 #include "modal/contact/coupled_flow.h"
@@ -30,35 +32,49 @@ struct ContactState {
   double dissipated = 0;                // [J]
 };
 
+// Of all bodies, below each other.
+VectorXd static_shapes(std::span<const ContactState> states);
+
 class ContactStepper {
  public:
-  // h [s] > 0; the body must outlive this
-  ContactStepper(const FloatingBody& body, ContactScheme scheme, double h);
-  void touch(ContactState& state);  // begins: evaluates the load of its body, static shapes having no rate
+  // h [s] > 0; the bodies must outlive this
+  ContactStepper(const std::vector<const FloatingBody*>& bodies, ContactScheme scheme, double h);
+  ContactStepper(const FloatingBody& body, ContactScheme scheme, double h)
+      : ContactStepper(std::vector{&body}, scheme, h) {}
+
+  void touch(std::span<ContactState> states);  // begins: evaluates the loads, static shapes having no rate
   // false where Newton's method, of the step or of the static shapes, does not converge
-  bool advance(ContactState& state);
+  bool advance(std::span<ContactState> states);
+  void touch(ContactState& state) { touch({&state, 1}); }
+  bool advance(ContactState& state) { return advance({&state, 1}); }
   double step() const { return h_; }
   long n_evaluations() const { return n_evaluations_; }
 
  private:
-  void look(ContactState& state);
-  void look_ahead(ContactState& state);  // static shapes being sought from where the last two steps point to
-  void kick(ContactState& state, double tau) const;  // by the contact forces alone
-  void drift(BodyState& body) const;                 // over h, without contact
-  void turn(BodyState& body, double tau) const;
-  bool advance_exactly(ContactState& state);
-  bool advance_by_euler(ContactState& state);
-  bool advance_by_newmark(ContactState& state);
+  struct OfBody {
+    explicit OfBody(const FloatingBody& of, double h);
+    void kick(ContactState& state, double tau) const;  // by the contact forces alone
+    void drift(BodyState& b, double h) const;          // over h, without contact
+    void turn(BodyState& b, double tau) const;
 
-  const FloatingBody& body_;
+    const FloatingBody* body;
+    std::optional<CoupledFlow> coupled;
+    Eigen::Matrix3d inverse_inertia;
+    VectorXd lambda, c;              // of modes
+    VectorXd C, S, C_dot, S_dot, P;  // of modes over h
+  };
+  static bool converged(std::span<const ContactState> states);  // all at once
+  void look(std::span<ContactState> states);
+  void look_ahead(std::span<ContactState> states);  // static shapes sought from where the last two steps point to
+  bool advance_exactly(std::span<ContactState> states);
+  bool advance_by_euler(std::span<ContactState> states);
+  bool advance_by_newmark(std::span<ContactState> states);
+
   ContactScheme scheme_;
   double h_;
+  std::vector<OfBody> bodies_;
   ContactLoads loads_;
-  std::optional<CoupledFlow> coupled_;
-  Eigen::Matrix3d inverse_inertia_;
-  VectorXd lambda_, c_;                 // of modes
-  VectorXd C_, S_, C_dot_, S_dot_, P_;  // of modes over h
-  VectorXd scratch_, s_, s_before_;     // s at the start of this step and the last, where there was one
+  VectorXd s_, s_before_;  // s of all bodies at the start of this step and the last, where there was one
   bool has_before_ = false;
   long n_evaluations_ = 0;
 };

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "cases/contract/approach.h"
 #include "mechanics/geometry/graded_rule.h"
+#include "mechanics/geometry/signed_distance.h"
 #include "mechanics/rigid/inertia.h"
 #include "modal/bases/eigenmodes.h"
 #include "modal/contact/contact_shapes.h"
@@ -55,45 +57,71 @@ std::vector<Roots> roots_of(const Modes& modes, Index n_first, const Rayleigh& d
   return all;
 }
 
-std::vector<SampledContact> sampled_contacts(const Model& model, const Touchdown& down, const PolynomialBasis& geometry,
-                                             const MatrixXd& Phi, const MatrixXd& Psi) {
+// The other body's surface where the samples of one that comes to it lie at the first touch.
+std::shared_ptr<const PartnerSurface> partner_surface(const Model& model, const Body& body, const Meeting& meeting,
+                                                      const Matrix3Xd& samples, const FloatingBasis& other,
+                                                      const MatrixXd& Psi) {
+  const Body& partner = model.scene->bodies[other.place];
+  const Pose pose = Approach(*model.scene, body, &partner).pose(std::isfinite(meeting.t) ? meeting.t : 0);
+  Matrix3Xd feet(3, samples.cols());
+  for (Index i = 0; i < samples.cols(); ++i) {
+    const Vector3d y = pose.to_world(samples.col(i));
+    const Distance d = signed_distance(partner.shape, y);
+    feet.col(i) = y - d.value * d.gradient;
+  }
+  MatrixXd static_at(3 * samples.cols(), Psi.cols());
+  if (Psi.cols() > 0) static_at = model.bodies[other.place].full->displacement_at(feet) * Psi;
+  return std::make_shared<const PartnerSurface>(
+      PartnerSurface{other.place, partner.shape, other.geometry.basis, std::move(feet), std::move(static_at)});
+}
+
+// Phi and Psi of the mesh, n x r and n x n_s.
+struct Shapes {
+  MatrixXd Phi, Psi;
+};
+
+std::vector<SampledContact> sampled_contacts(const Model& model, const FloatingBases& bases, size_t i,
+                                             const std::vector<Shapes>& shapes) {
   const Scene& scene = *model.scene;
-  const Body& body = scene.bodies.front();
-  const FullModel& full = *model.bodies.front().full;
+  const Body& body = scene.bodies[i];
+  const FullModel& full = *model.bodies[i].full;
   std::vector<SampledContact> all;
-  for (const Meeting& meeting : down.meetings) {
+  for (const Meeting& meeting : touchdown(scene, body).meetings) {
     const ContactPair& pair = scene.contacts[meeting.contact];
     const RigidSurface surface = surface_met(scene, body, meeting);
-    all.push_back(
-        {pair.law == ContactLaw::hertz ? lumped(full, surface, Phi, Psi) : samples(body, full, meeting, geometry, Psi),
-         surface, law_of(pair, meeting.size)});
+    const auto& [Phi, Psi] = shapes[i];
+    all.push_back({pair.law == ContactLaw::hertz ? lumped(full, surface, Phi, Psi)
+                                                 : samples(body, full, meeting, bases[i].geometry.basis, Psi),
+                   surface, law_of(pair, meeting.size)});
     all.back().tables = std::make_shared<const SampleTables>(sample_tables(all.back().samples));
+    for (const FloatingBasis& other : bases)
+      if (scene.bodies[other.place].name == pair.obstacle)
+        all.back().partner =
+            partner_surface(model, body, meeting, all.back().samples.X, other, shapes[other.place].Psi);
   }
   return all;
 }
 
-}  // namespace
-
-FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static_contact) {
-  const Scene& scene = *model.scene;
-  const Body& body = scene.bodies.front();
-  const BodyModel& mesh = model.bodies.front();
-  const Touchdown down = touchdown(scene, body);
+// All but its contacts.
+FloatingBasis basis_of(const Model& model, size_t i, const Modes& modes, const Shapes& shapes) {
+  const Body& body = model.scene->bodies[i];
+  const BodyModel& mesh = model.bodies[i];
+  const auto& [Phi, Psi] = shapes;
   const bool free = !is_held(body), in_flight = body.theory == Theory::solid;
-  const Index n_first = free ? modes.n_rigid : 0, r = modes.size() - n_first;
-  const MatrixXd Phi = modes.Phi.rightCols(r);
-  const MatrixXd Psi =
-      static_contact ? contact_shapes(scene, mesh, modes, physical_shift(body), down) : MatrixXd(modes.Phi.rows(), 0);
+  const Index r = Phi.cols();
+  const System& system = mesh.full->system();
   const MassProperties inertia = mass_properties(body.shape, body.material.density);
   FloatingBasis basis{model.scene,
+                      i,
                       {free,
                        inertia.mass,
                        inertia.inertia,
-                       scene.gravity,
-                       {},
+                       model.scene->gravity,
+                       roots_of(modes, modes.size() - r, body.damping),
                        VectorXd::Zero(r),
-                       Psi.transpose() * (mesh.full->system().K * Psi),
-                       {}},
+                       Psi.transpose() * (system.K * Psi),
+                       {},
+                       body.damping.beta},
                       {body.pose.position, body.twist.velocity, body.pose.orientation, Vector3d::Zero(),
                        VectorXd::Zero(r), VectorXd::Zero(r), VectorXd::Zero(Psi.cols())},
                       polynomials(mesh, mesh.displacement * Phi.leftCols(in_flight ? r : 0)),
@@ -104,92 +132,125 @@ FloatingBasis floating_basis(const Model& model, const Modes& modes, bool static
                       mesh.displacement * Psi,
                       mesh.strain * Psi};
   basis.bounds = shape_bounds(body.shape, basis.geometry.basis);
-  basis.body.modes = roots_of(modes, n_first, body.damping);
-  basis.body.static_damping = body.damping.beta;
-  if (!free) basis.body.weight = Phi.transpose() * mesh.full->system().F.rowwise().sum();
-  if (!free) basis.start.p = Phi.transpose() * (mesh.full->system().M * mesh.full->system().v0);
+  if (!free) basis.body.weight = Phi.transpose() * system.F.rowwise().sum();
+  if (!free) basis.start.p = Phi.transpose() * (system.M * system.v0);
   const Eigen::Quaterniond& Q = body.pose.orientation;
   basis.start.L = Q * (inertia.inertia * (Q.conjugate() * body.twist.angular_velocity));
-  basis.body.contacts = sampled_contacts(model, down, basis.geometry.basis, Phi, Psi);
   return basis;
 }
 
-ImpactPlan impact_plan(const FloatingBasis& basis, ContactScheme scheme, double step) {
-  const Body& body = basis.scene->bodies.front();
-  return {basis.body, body.shape, basis.geometry.basis,        basis.bounds, basis.start,
-          scheme,     step,       body.theory == Theory::solid};
+}  // namespace
+
+FloatingBases floating_bases(const Model& model, std::span<const Modes> modes, bool static_contact) {
+  const Scene& scene = *model.scene;
+  if (modes.size() != scene.bodies.size()) throw std::invalid_argument("modes in contact: of every body its own");
+  if (modes.size() > 1 && scene.contacts.size() > 1)
+    throw std::invalid_argument("modes in contact: of several bodies one contact alone");
+  std::vector<Shapes> shapes;
+  FloatingBases bases;
+  for (size_t i = 0; i < modes.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    const Index n_first = is_held(body) ? 0 : modes[i].n_rigid;
+    const MatrixXd& Phi = modes[i].Phi;
+    shapes.push_back({Phi.rightCols(modes[i].size() - n_first),
+                      static_contact ? contact_shapes(scene, body, model.bodies[i], modes[i], physical_shift(body))
+                                     : MatrixXd(Phi.rows(), 0)});
+    bases.push_back(basis_of(model, i, modes[i], shapes.back()));
+  }
+  for (size_t i = 0; i < bases.size(); ++i) bases[i].body.contacts = sampled_contacts(model, bases, i, shapes);
+  return bases;
+}
+
+std::vector<ImpactPlan> impact_plans(const FloatingBases& bases, ContactScheme scheme, double step) {
+  std::vector<ImpactPlan> plans;
+  for (const FloatingBasis& basis : bases) {
+    const Body& body = basis.scene->bodies[basis.place];
+    plans.push_back({basis.body, body.shape, basis.geometry.basis, basis.bounds, basis.start, scheme, step,
+                     body.theory == Theory::solid});
+  }
+  return plans;
 }
 
 namespace {
 
+// u in the body's axes becomes x - X, or is turned to the world's where the body is held.
+void place(const FloatingBasis& basis, const BodyState& state, Eigen::Ref<VectorXd> u) {
+  const Eigen::Matrix3d Q = state.Q.toRotationMatrix();
+  auto at = u.reshaped(3, basis.points.cols());
+  if (basis.body.free)
+    at = (Q * (basis.points + at.matrix())).colwise() + state.c - basis.points;
+  else
+    at = (Q * at.matrix()).eval();
+}
+
+BodyTrajectory observed(const FloatingBasis& basis, const ImpactMotion& motion, const Sampling& sampling) {
+  const Index n_t = sampling.t.size(), r = basis.body.n_modes(), n_s = basis.body.n_static();
+  BodyTrajectory body;
+  body.contact = motion.contact;
+  if (!sampling.reconstruct) return body;
+  MatrixXd q = MatrixXd::Zero(r, n_t), s = MatrixXd::Zero(n_s, n_t);
+  for (size_t k = 0; k < motion.states.size(); ++k) {
+    q.col(static_cast<Index>(k)) = motion.states[k].q;
+    s.col(static_cast<Index>(k)) = motion.states[k].s;
+  }
+  body.displacement.noalias() = basis.displacement * q;
+  if (n_s > 0) body.displacement.noalias() += basis.static_displacement * s;
+  for (size_t k = 0; k < motion.states.size(); ++k)
+    place(basis, motion.states[k], body.displacement.col(static_cast<Index>(k)));
+  if (!sampling.strain) return body;
+  body.strain = basis.strain * q;
+  if (n_s > 0) body.strain.noalias() += basis.static_strain * s;
+  body.energy = motion.energy;
+  return body;
+}
+
 class PreparedFloating final : public Prepared {
  public:
-  PreparedFloating(std::shared_ptr<const FloatingBasis> basis, ContactScheme scheme, double step)
-      : basis_(std::move(basis)), plan_(impact_plan(*basis_, scheme, step)) {}
+  PreparedFloating(std::shared_ptr<const FloatingBases> bases, ContactScheme scheme, double step)
+      : bases_(std::move(bases)), plans_(impact_plans(*bases_, scheme, step)) {}
 
   Trajectory simulate(const Sampling& sampling) const override {
     if (sampling.shutter != 0) throw std::invalid_argument("no exact means in contact");
-    const Index n_t = sampling.t.size(), r = plan_.body.n_modes(), n_s = plan_.body.n_static();
-    const ImpactMotion motion = impact_motion(plan_, sampling.t);
-    Trajectory answer{sampling.t, {}, motion.work, motion.status};
-    BodyTrajectory body;
-    body.contact = motion.contact;
-    if (sampling.reconstruct) {
-      MatrixXd q = MatrixXd::Zero(r, n_t), s = MatrixXd::Zero(n_s, n_t);
-      for (size_t k = 0; k < motion.states.size(); ++k) {
-        q.col(static_cast<Index>(k)) = motion.states[k].q;
-        s.col(static_cast<Index>(k)) = motion.states[k].s;
-      }
-      body.displacement.noalias() = basis_->displacement * q;
-      if (n_s > 0) body.displacement.noalias() += basis_->static_displacement * s;
-      for (size_t k = 0; k < motion.states.size(); ++k)
-        place(motion.states[k], body.displacement.col(static_cast<Index>(k)));
-      if (sampling.strain) {
-        body.strain = basis_->strain * q;
-        if (n_s > 0) body.strain.noalias() += basis_->static_strain * s;
-        body.energy = motion.energy;
-      }
-    }
-    answer.bodies.push_back(std::move(body));
+    const std::vector<ImpactMotion> motions = impact_motions(plans_, sampling.t);
+    Trajectory answer{sampling.t, {}, motions.front().work, motions.front().status};
+    for (size_t b = 0; b < motions.size(); ++b) answer.bodies.push_back(observed((*bases_)[b], motions[b], sampling));
     return answer;
   }
 
+  // Of the body that uses most.
   int modes_used() const override {
-    return static_cast<int>(std::ranges::count_if(plan_.body.modes, [](const Roots& mode) { return mode.k > 0; }));
+    Index most = 0;
+    for (const ImpactPlan& plan : plans_)
+      most = std::max(most, std::ranges::count_if(plan.body.modes, [](const Roots& mode) { return mode.k > 0; }));
+    return static_cast<int>(most);
   }
-  Index n_unknowns() const override { return (plan_.body.free ? 6 : 0) + plan_.body.n_modes() + plan_.body.n_static(); }
+  Index n_unknowns() const override {
+    Index n = 0;
+    for (const ImpactPlan& plan : plans_)
+      n += (plan.body.free ? 6 : 0) + plan.body.n_modes() + plan.body.n_static();
+    return n;
+  }
 
  private:
-  // u in the body's axes becomes x - X, or is turned to the world's where the body is held.
-  void place(const BodyState& state, Eigen::Ref<VectorXd> u) const {
-    const Eigen::Matrix3d Q = state.Q.toRotationMatrix();
-    auto at = u.reshaped(3, basis_->points.cols());
-    if (plan_.body.free)
-      at = (Q * (basis_->points + at.matrix())).colwise() + state.c - basis_->points;
-    else
-      at = (Q * at.matrix()).eval();
-  }
-
-  std::shared_ptr<const FloatingBasis> basis_;
-  ImpactPlan plan_;
+  std::shared_ptr<const FloatingBases> bases_;
+  std::vector<ImpactPlan> plans_;
 };
 
 }  // namespace
 
-void answer_in_contact(Reduction& reduction, const Model& model, const Modes& modes, bool static_contact) {
+void answer_in_contact(Reduction& reduction, const Model& model, std::span<const Modes> modes, bool static_contact) {
   if (model.scene->contacts.empty()) return;
-  if (model.bodies.size() != 1) throw std::invalid_argument("modes in contact: one body alone");
-  const auto basis = std::make_shared<const FloatingBasis>(floating_basis(model, modes, static_contact));
-  reduction.in_contact = [basis](const Integrator& integrator, const Settings& settings) {
-    return prepare_floating(basis, integrator, settings);
+  const auto bases = std::make_shared<const FloatingBases>(floating_bases(model, modes, static_contact));
+  reduction.in_contact = [bases](const Integrator& integrator, const Settings& settings) {
+    return prepare_floating(bases, integrator, settings);
   };
 }
 
-std::unique_ptr<Prepared> prepare_floating(std::shared_ptr<const FloatingBasis> basis, const Integrator& integrator,
+std::unique_ptr<Prepared> prepare_floating(std::shared_ptr<const FloatingBases> bases, const Integrator& integrator,
                                            const Settings& settings) {
   const auto scheme = contact_scheme(integrator.name);
   if (!scheme) throw std::invalid_argument("integrator '" + integrator.name + "' has no steps in contact for modes");
-  return std::make_unique<PreparedFloating>(std::move(basis), *scheme, settings.time_step);
+  return std::make_unique<PreparedFloating>(std::move(bases), *scheme, settings.time_step);
 }
 
 }  // namespace mb

@@ -45,7 +45,7 @@ Integrator named(const char* name) {
 }
 Trajectory floating_answer(const Model& model, const Modes& modes, bool static_contact, double step,
                            const VectorXd& times, const char* scheme = "exact") {
-  const auto basis = std::make_shared<const FloatingBasis>(floating_basis(model, modes, static_contact));
+  const auto basis = std::make_shared<const FloatingBases>(floating_bases(model, {&modes, 1}, static_contact));
   return prepare_floating(basis, named(scheme), {.time_step = step})->simulate({times});
 }
 Vector3d centre(const Model& model, const Trajectory& answer, Index k) {
@@ -140,7 +140,7 @@ TEST(FloatingAnswer, StaticShapesGiveWay) {
 TEST(FloatingAnswer, WhatItCannotDoIsRefused) {
   const Model model = build_model(dropped());
   const Modes few = modes_of(model, 2);
-  const auto basis = std::make_shared<const FloatingBasis>(floating_basis(model, few, false));
+  const auto basis = std::make_shared<const FloatingBases>(floating_bases(model, {&few, 1}, false));
   EXPECT_THROW(prepare_floating(basis, named("sundials"), {.time_step = 1e-5}), std::invalid_argument);
   const auto prepared = prepare_floating(basis, named("exact"), {.time_step = 1e-5});
   EXPECT_EQ(prepared->modes_used(), static_cast<int>(few.size() - 6));
@@ -151,9 +151,9 @@ TEST(FloatingAnswer, WhatItCannotDoIsRefused) {
   without.contacts.clear();
   Model free = model;
   free.scene = std::make_shared<const Scene>(without);
-  answer_in_contact(reduction, free, few, false);
+  answer_in_contact(reduction, free, {&few, 1}, false);
   EXPECT_FALSE(reduction.in_contact);
-  answer_in_contact(reduction, model, few, false);
+  answer_in_contact(reduction, model, {&few, 1}, false);
   EXPECT_TRUE(reduction.in_contact);
 }
 

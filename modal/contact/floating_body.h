@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mechanics/contact/law.h"
+#include "mechanics/geometry/polynomial_basis.h"
 #include "mechanics/geometry/pose.h"
 #include "mechanics/system/oscillator.h"
 
@@ -26,14 +27,25 @@ struct SurfaceSamples {
   MatrixXd Psi;  // [m] 3 m x n_s
 };
 
+// The surface of another body, as samples meet it: the shape, carried by its modes. What its static shapes do is known
+// where the samples lie at the first touch.
+struct PartnerSurface {
+  size_t body;               // its place among the bodies that move together
+  Shape shape;               // convex
+  PolynomialBasis geometry;  // [kg^-1/2] its modes
+  Matrix3Xd feet;            // [m] 3 x m, its frame: of the samples at the first touch
+  MatrixXd Psi;              // [m] 3 m x n_s, its frame: its static shapes there
+};
+
 struct SampleTables;  // sample_tables.h
 struct SpinCoupling;  // spin.h
 
 struct SampledContact {
   SurfaceSamples samples;
-  RigidSurface surface;  // in the world
+  RigidSurface surface;  // in the world; not looked at where there is a partner
   PenaltyLaw law;
-  std::shared_ptr<const SampleTables> tables = nullptr;  // of these samples; none: each run makes its own
+  std::shared_ptr<const SampleTables> tables = nullptr;     // of these samples; none: each run makes its own
+  std::shared_ptr<const PartnerSurface> partner = nullptr;  // none: an obstacle
 };
 
 struct FloatingBody {

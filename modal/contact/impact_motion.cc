@@ -6,7 +6,7 @@
 
 #include "mechanics/contact/first_touch_support.h"
 #include "modal/contact/body_flight.h"
-#include "modal/contact/next_touch.h"
+#include "modal/contact/meetings.h"
 #include "modal/contact/soundness.h"
 
 namespace mb {
@@ -39,106 +39,150 @@ BodyState between(const BodyState& a, const BodyState& b, double h, double x) {
           .s = mean<VectorXd>(a.s, b.s, x)};
 }
 
+std::vector<const FloatingBody*> bodies_of(std::span<const ImpactPlan> plans) {
+  std::vector<const FloatingBody*> all;
+  for (const ImpactPlan& plan : plans) all.push_back(&plan.body);
+  return all;
+}
+std::vector<double> sizes_of(std::span<const ImpactPlan> plans) {
+  std::vector<double> all;
+  for (const ImpactPlan& plan : plans) all.push_back(circumradius(plan.shape));
+  return all;
+}
+
 class Run {
  public:
-  Run(const ImpactPlan& plan, const VectorXd& times)
-      : plan_(plan),
+  Run(std::span<const ImpactPlan> plans, const VectorXd& times)
+      : plans_(plans),
+        step_(plans.front().step),
         times_(times),
-        stepper_(plan.body, plan.scheme, plan.step),
-        soundness_(plan.body, circumradius(plan.shape)) {
+        stepper_(bodies_of(plans), plans.front().scheme, step_),
+        soundness_(bodies_of(plans), sizes_of(plans)),
+        meetings_(plans),
+        logs_(plans.size()),
+        motions_(plans.size()) {
     const Index n_t = times.size();
-    motion_.contact = {Matrix3Xd::Zero(3, n_t), Matrix3Xd::Zero(3, n_t), VectorXd::Zero(n_t), VectorXd::Zero(n_t), {}};
-    motion_.energy = VectorXd::Zero(n_t);
-    motion_.states.reserve(static_cast<size_t>(n_t));
+    for (ImpactMotion& motion : motions_) {
+      motion.contact = {Matrix3Xd::Zero(3, n_t), Matrix3Xd::Zero(3, n_t), VectorXd::Zero(n_t), VectorXd::Zero(n_t), {}};
+      motion.energy = VectorXd::Zero(n_t);
+      motion.states.reserve(static_cast<size_t>(n_t));
+    }
+    flies_ = std::ranges::all_of(plans, &ImpactPlan::flies);
   }
 
-  ImpactMotion run() {
+  std::vector<ImpactMotion> run() {
     const double end = times_.size() > 0 ? times_[times_.size() - 1] : 0;
-    ContactState now{plan_.start, {}, Vector3d::Zero(), 0};
+    std::vector<ContactState> now;
+    for (const ImpactPlan& plan : plans_) now.push_back({plan.start, {}, Vector3d::Zero(), 0});
     double t = 0;
-    if (!plan_.flies) touch_and_go(t, now, end);
-    for (bool leaving = false; more() && motion_.status == Status::ok; leaving = true) {
-      const BodyFlight flight(plan_.body, now.body, t);
-      motion_.flights.push_back({t, now.body});
-      const auto touch = next_touch(plan_, flight, end, leaving);
-      const double until = touch ? touch->t : std::numeric_limits<double>::infinity();
-      fly(flight, until, now);
-      motion_.work.steps += flight.n_steps();
-      if (flight.failed()) motion_.status = Status::no_convergence;
-      if (!touch || flight.failed()) break;
-      const bool worth = touch->decided && touch->t - t > worthwhile * plan_.step;
+    if (!flies_) touch_and_go(t, now, end);
+    for (bool leaving = false; more() && status_ == Status::ok; leaving = true) {
+      std::vector<BodyFlight> flights;
+      for (size_t b = 0; b < plans_.size(); ++b) {
+        flights.emplace_back(plans_[b].body, now[b].body, t);
+        motions_[b].flights.push_back({t, now[b].body});
+      }
+      const auto touch = meetings_.next(flights, end, leaving);
+      fly(flights, touch ? touch->t : std::numeric_limits<double>::infinity(), now);
+      for (const BodyFlight& flight : flights) {
+        work_.steps += flight.n_steps();
+        if (flight.failed()) status_ = Status::no_convergence;
+      }
+      if (!touch || status_ != Status::ok) break;
+      const bool worth = touch->decided && touch->t - t > worthwhile * step_;
       patience_ = worth ? least_patience : std::min(2 * patience_, most_patience);
       t = touch->t;
-      now.body = flight.at(t);
-      motion_.work.load_evaluations += 1;
+      for (size_t b = 0; b < now.size(); ++b) now[b].body = flights[b].at(t);
+      work_.load_evaluations += 1;
       t = touch_and_go(t, now, end);
     }
-    motion_.contact.touches = log_.touches();
-    motion_.work.load_evaluations += stepper_.n_evaluations();
-    return std::move(motion_);
+    work_.load_evaluations += stepper_.n_evaluations();
+    for (size_t b = 0; b < motions_.size(); ++b) {
+      motions_[b].contact.touches = logs_[b].touches();
+      motions_[b].status = status_;
+    }
+    motions_.front().work = work_;
+    return std::move(motions_);
   }
 
  private:
-  bool more() const { return static_cast<Index>(motion_.states.size()) < times_.size(); }
-  double next_time() const { return times_[static_cast<Index>(motion_.states.size())]; }
+  bool more() const { return static_cast<Index>(motions_.front().states.size()) < times_.size(); }
+  double next_time() const { return times_[static_cast<Index>(motions_.front().states.size())]; }
 
-  void record(BodyState body, const Vector3d& force, const ContactState& of, double stored, double energy) {
-    const auto k = static_cast<Index>(motion_.states.size());
-    motion_.contact.force.col(k) = force;
-    motion_.contact.impulse.col(k) = of.impulse;
-    motion_.contact.dissipated[k] = of.dissipated;
-    motion_.contact.stored[k] = stored;
-    motion_.energy[k] = energy;
-    motion_.states.push_back(std::move(body));
+  static void record(ImpactMotion& motion, BodyState body, const Vector3d& force, const ContactState& of, double stored,
+                     double energy) {
+    const auto k = static_cast<Index>(motion.states.size());
+    motion.contact.force.col(k) = force;
+    motion.contact.impulse.col(k) = of.impulse;
+    motion.contact.dissipated[k] = of.dissipated;
+    motion.contact.stored[k] = stored;
+    motion.energy[k] = energy;
+    motion.states.push_back(std::move(body));
   }
+  // States from the n-th on are given up.
+  void keep(size_t n) {
+    for (ImpactMotion& motion : motions_) motion.states.resize(n);
+  }
+  size_t n_states() const { return motions_.front().states.size(); }
 
-  void fly(const BodyFlight& flight, double end, const ContactState& since) {
+  void fly(const std::vector<BodyFlight>& flights, double end, const std::vector<ContactState>& since) {
     while (more() && next_time() < end) {
-      BodyState body = flight.at(next_time());
-      ++motion_.work.load_evaluations;
-      const double energy = mechanical_energy(plan_.body, body);
-      record(std::move(body), Vector3d::Zero(), since, 0, energy);
+      ++work_.load_evaluations;
+      const double t = next_time();
+      for (size_t b = 0; b < flights.size(); ++b) {
+        BodyState body = flights[b].at(t);
+        const double energy = mechanical_energy(plans_[b].body, body);
+        record(motions_[b], std::move(body), Vector3d::Zero(), since[b], 0, energy);
+      }
     }
-    if (flight.failed()) motion_.states.resize(n_sound_);
-    n_sound_ = motion_.states.size();
+    if (std::ranges::any_of(flights, &BodyFlight::failed)) keep(n_sound_);
+    n_sound_ = n_states();
   }
 
-  void note(double t, const ContactState& state) {
-    log_.add({t, state.load.least_gap, state.load.force, state.impulse});
+  void note(double t, const std::vector<ContactState>& states) {
+    for (size_t b = 0; b < states.size(); ++b)
+      logs_[b].add({t, states[b].load.least_gap, states[b].load.force, states[b].impulse});
   }
 
-  // Steps until the body lets go, if it flies then, or the end is reached; the time it is then.
-  double touch_and_go(double start, ContactState& now, double end) {
+  static double least_gap(const std::vector<ContactState>& states) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const ContactState& state : states) least = std::min(least, state.load.least_gap);
+    return least;
+  }
+
+  // Steps until the bodies let go, if they fly then, or the end is reached; the time it is then.
+  double touch_and_go(double start, std::vector<ContactState>& now, double end) {
     stepper_.touch(now);
-    log_.meet(start);
+    for (TouchLog& log : logs_) log.meet(start);
     note(start, now);
     look_at(start, now);
-    ContactState before;
+    std::vector<ContactState> before;
     double t = start;
     int n_clear = 0, n_parting = 0, patience = patience_;  // steps in succession
-    bool pressed = now.load.least_gap < 0;
+    bool pressed = least_gap(now) < 0;
     soundness_.begin(now);
     for (long i = 0; t < end; ++i) {
       before = now;
-      if (!stepper_.advance(now) || motion_.work.steps == max_steps) {
+      if (!stepper_.advance(now) || work_.steps == max_steps) {
         if (!sound(before)) return t;
-        motion_.status = motion_.work.steps == max_steps ? Status::too_many_steps : Status::no_convergence;
+        status_ = work_.steps == max_steps ? Status::too_many_steps : Status::no_convergence;
         return t;
       }
-      ++motion_.work.steps;
+      ++work_.steps;
       const double t_before = t;
-      t = start + static_cast<double>(i + 1) * plan_.step;
+      t = start + static_cast<double>(i + 1) * step_;
       note(t, now);
       look_between(t_before, before, now);
       // Apart and parting, seen twice: samples begin to press only a little after the surfaces meet.
-      const bool clear = now.load.least_gap >= 0, parting = clear && !(now.load.least_gap < before.load.least_gap);
+      const double gap = least_gap(now);
+      const bool clear = gap >= 0, parting = clear && !(gap < least_gap(before));
       n_clear = clear ? n_clear + 1 : 0;
       n_parting = parting ? n_parting + 1 : 0;
       pressed = pressed || !clear;
       if (i % look_every == 0 && !sound(now)) return t;
       if (!pressed) soundness_.begin(now);
-      if (!plan_.flies || n_parting < least_patience || n_clear < patience) continue;
-      if (!sound(now) || pressed || !comes_in(now.body, t)) return t;
+      if (!flies_ || n_parting < least_patience || n_clear < patience) continue;
+      if (!sound(now) || pressed || !comes_in(now, t)) return t;
       n_clear = 0;
       patience = std::min(2 * patience, most_patience);
     }
@@ -147,49 +191,68 @@ class Run {
   }
 
   // States since the last look are given up where it finds the motion unsound.
-  bool sound(const ContactState& now) {
-    motion_.status = soundness_(now);
-    if (motion_.status == Status::ok) n_sound_ = motion_.states.size();
-    motion_.states.resize(n_sound_);
-    return motion_.status == Status::ok;
+  bool sound(const std::vector<ContactState>& now) {
+    status_ = soundness_(now);
+    if (status_ == Status::ok) n_sound_ = n_states();
+    keep(n_sound_);
+    return status_ == Status::ok;
   }
 
   // Whether the surface of a body of which no sample has pressed as yet goes on into an obstacle: it is one touch.
-  bool comes_in(const BodyState& body, double t) const {
-    return next_touch(plan_, BodyFlight(plan_.body, body, t), t + plan_.step, true).has_value();
+  bool comes_in(const std::vector<ContactState>& now, double t) {
+    std::vector<BodyFlight> flights;
+    for (size_t b = 0; b < now.size(); ++b) flights.emplace_back(plans_[b].body, now[b].body, t);
+    return meetings_.next(flights, t + step_, true).has_value();
   }
 
   // At the touch itself: a body may press from the start.
-  void look_at(double t, const ContactState& now) {
+  void look_at(double t, const std::vector<ContactState>& now) {
     while (more() && next_time() <= t)
-      record(now.body, now.load.force, now, now.load.stored, mechanical_energy(plan_.body, now.body) + now.load.stored);
+      for (size_t b = 0; b < now.size(); ++b)
+        record(motions_[b], now[b].body, now[b].load.force, now[b], now[b].load.stored,
+               mechanical_energy(plans_[b].body, now[b].body) + now[b].load.stored);
   }
 
-  void look_between(double t_before, const ContactState& a, const ContactState& b) {
-    while (more() && next_time() <= t_before + plan_.step) {
-      const double x = (next_time() - t_before) / plan_.step;
-      ContactState of = a;
-      of.impulse = mean<Vector3d>(a.impulse, b.impulse, x);
-      of.dissipated = mean(a.dissipated, b.dissipated, x);
-      const double energy_a = mechanical_energy(plan_.body, a.body) + a.load.stored,
-                   energy_b = mechanical_energy(plan_.body, b.body) + b.load.stored;
-      record(between(a.body, b.body, plan_.step, x), mean<Vector3d>(a.load.force, b.load.force, x), of,
-             mean(a.load.stored, b.load.stored, x), mean(energy_a, energy_b, x));
+  void look_between(double t_before, const std::vector<ContactState>& from, const std::vector<ContactState>& to) {
+    while (more() && next_time() <= t_before + step_) {
+      const double x = (next_time() - t_before) / step_;
+      for (size_t k = 0; k < from.size(); ++k) {
+        const ContactState &a = from[k], &b = to[k];
+        const FloatingBody& body = plans_[k].body;
+        ContactState of = a;
+        of.impulse = mean<Vector3d>(a.impulse, b.impulse, x);
+        of.dissipated = mean(a.dissipated, b.dissipated, x);
+        const double energy_a = mechanical_energy(body, a.body) + a.load.stored,
+                     energy_b = mechanical_energy(body, b.body) + b.load.stored;
+        record(motions_[k], between(a.body, b.body, step_, x), mean<Vector3d>(a.load.force, b.load.force, x), of,
+               mean(a.load.stored, b.load.stored, x), mean(energy_a, energy_b, x));
+      }
     }
   }
 
-  const ImpactPlan& plan_;
+  std::span<const ImpactPlan> plans_;
+  double step_;
   const VectorXd& times_;
   ContactStepper stepper_;
   Soundness soundness_;
+  Meetings meetings_;
+  bool flies_;
   size_t n_sound_ = 0;  // states
-  TouchLog log_;
-  ImpactMotion motion_;
+  std::vector<TouchLog> logs_;
+  std::vector<ImpactMotion> motions_;
+  Work work_;
+  Status status_ = Status::ok;
   int patience_ = least_patience;  // doubled where flights turn out too short to be worth it: surfaces that chatter
 };
 
 }  // namespace
 
-ImpactMotion impact_motion(const ImpactPlan& plan, const VectorXd& times) { return Run(plan, times).run(); }
+std::vector<ImpactMotion> impact_motions(std::span<const ImpactPlan> plans, const VectorXd& times) {
+  return Run(plans, times).run();
+}
+
+ImpactMotion impact_motion(const ImpactPlan& plan, const VectorXd& times) {
+  return std::move(impact_motions({&plan, 1}, times).front());
+}
 
 }  // namespace mb

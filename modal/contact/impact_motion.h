@@ -1,11 +1,14 @@
-// The whole motion of a floating body among rigid obstacles: flight in closed form to the first touch of surfaces,
-// steps while it touches, flight again.
+// The whole motion of floating bodies among rigid obstacles and each other: flight in closed form to the first touch of
+// surfaces, steps while any touches, flight again.
 //
-//   flight -- first_touch --> steps h from that very time -- no sample presses and the gap grows --> flight
+//   flight -- next_touch --> steps h from that very time -- no sample presses and the gap grows --> flight
 //
 // No step is taken in flight, but where rotation and modes are coupled (coupled_flow.h), and no contact is evaluated
 // where bodies cannot meet.
 #pragma once
+
+#include <span>
+#include <vector>
 
 #include "mechanics/system/system.h"
 #include "modal/contact/contact_step.h"
@@ -39,7 +42,10 @@ struct ImpactMotion {
   Status status = Status::ok;
 };
 
-// times [s] ascending, >= 0.
+// times [s] ascending, >= 0. Of bodies that meet each other scheme and step are those of the first; each gets its own
+// states, forces and energy, what is stored and lost between two counting with the one whose samples meet the other;
+// work and flights are those of all, with the first.
+std::vector<ImpactMotion> impact_motions(std::span<const ImpactPlan> plans, const VectorXd& times);
 ImpactMotion impact_motion(const ImpactPlan& plan, const VectorXd& times);
 
 }  // namespace mb

@@ -110,12 +110,14 @@ std::optional<NextTouch> next_touch(const ImpactPlan& plan, const BodyFlight& fl
   const BodyState start = flight.at(flight.start());
   if (!is_finite(start) || !plan.body.gravity.allFinite())
     throw std::invalid_argument("next touch: the state or the gravity of the body in flight is not finite");
-  if (!(end > flight.start())) return std::nullopt;
+  const auto meets_none = [](const SampledContact& contact) { return contact.partner != nullptr; };
+  if (!(end > flight.start()) || std::ranges::all_of(plan.body.contacts, meets_none)) return std::nullopt;
   if (!flight_bounds(plan.body, plan.bounds, start, end - flight.start())) return NextTouch{flight.start(), false};
   const double l = extent(plan.shape);
   const FloatingMotion motion(plan, flight);
   std::optional<NextTouch> earliest;
-  for (const SampledContact& contact : plan.body.contacts)
+  for (const SampledContact& contact : plan.body.contacts) {
+    if (contact.partner) continue;  // meetings.h
     for (const Window& w : windows(plan, start, contact.surface, flight.start(), earliest ? earliest->t : end)) {
       const bool at_start = leaving && w.from == flight.start();
       // A search is not to cost more than the steps that it saves.
@@ -132,6 +134,7 @@ std::optional<NextTouch> next_touch(const ImpactPlan& plan, const BodyFlight& fl
       earliest = {touch->t, touch->kind != FirstTouch::undecided};
       break;
     }
+  }
   return earliest;
 }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
+#include "mechanics/contact/first_touch_support.h"
 #include "modal/contact/sample_tables.h"
 
 namespace mb {
@@ -14,33 +16,51 @@ namespace {
 constexpr Index n_least = 64;  // samples in a list
 constexpr Index n_spare = 4;   // [-] list by samples that press
 
-}  // namespace
-
-Reach::Reach(const SampledContact& contact)
-    : n_samples_(contact.samples.X.cols()),
-      longest_(n_samples_ > 0 ? std::sqrt(contact.samples.X.colwise().squaredNorm().maxCoeff()) : 0),
-      order_(static_cast<size_t>(n_samples_)) {
+Wander of_samples(const SampledContact& contact) {
+  const Matrix3Xd& X = contact.samples.X;
   const auto tables = tables_of(contact);
-  largest_q_ = tables->largest_q, largest_s_ = tables->largest_s;
-  std::iota(order_.begin(), order_.end(), Index{0});
+  return {X.cols() > 0 ? std::sqrt(X.colwise().squaredNorm().maxCoeff()) : 0, tables->largest_q, tables->largest_s};
 }
 
+// Of all of the other body's surface: where the feet are going to be is not known.
+std::optional<Wander> of_partner(const SampledContact& contact) {
+  if (!contact.partner) return {};
+  const PartnerSurface& of = *contact.partner;
+  return Wander(circumradius(of.shape), largest_displacements(of.geometry.at(surface_quadrature(of.shape).points)),
+                largest_displacements(of.Psi));
+}
+
+}  // namespace
+
+Wander::Wander(double longest, VectorXd largest_q, VectorXd largest_s)
+    : longest_(longest), largest_q_(std::move(largest_q)), largest_s_(std::move(largest_s)) {}
+
+void Wander::look(const BodyState& state) { c_ = state.c, Q_ = state.Q, q_ = state.q, s_ = state.s; }
+
 // |Q x - Q' x'| <= |Q - Q'| |x'| + |x - x'|, and |Q - Q'| <= 2 |sin(angle/2)| = 2 |vec(Q^-1 Q')|.
-double Reach::moved(const BodyState& state) const {
+double Wander::operator()(const BodyState& state) const {
   const Eigen::Quaterniond &Q = state.Q, &P = Q_;
-  const double way =
-      (state.c - c_).norm() + largest_q_.dot((state.q - q_).cwiseAbs()) + largest_s_.dot((state.s - s_).cwiseAbs());
+  const double way = (state.c - c_).norm() + largest_q_.dot((state.q - q_).cwiseAbs()) + static_way(state.s, s_);
   if (Q.coeffs() == P.coeffs()) return way;
   const double sine = (Q.vec() * P.w() - P.vec() * Q.w() - Q.vec().cross(P.vec())).norm();
   return way + 2 * sine * (longest_ + largest_q_.dot(q_.cwiseAbs()) + largest_s_.dot(s_.cwiseAbs()));
 }
 
-bool Reach::spent(const BodyState& state) const {
-  return beyond_ < 0 || in_vain_ > n_samples_ || !(moved(state) + margin_ < beyond_);
+Reach::Reach(const SampledContact& contact)
+    : n_samples_(contact.samples.X.cols()),
+      own_(of_samples(contact)),
+      partner_(of_partner(contact)),
+      order_(static_cast<size_t>(n_samples_)) {
+  std::iota(order_.begin(), order_.end(), Index{0});
 }
 
-void Reach::renew(const BodyState& state, const VectorXd& gaps) {
-  c_ = state.c, Q_ = state.Q, q_ = state.q, s_ = state.s;
+bool Reach::spent(const BodyState& state, const BodyState* partner) const {
+  return beyond_ < 0 || in_vain_ > n_samples_ || !(moved(state, partner) + margin_ < beyond_);
+}
+
+void Reach::renew(const BodyState& state, const BodyState* partner, const VectorXd& gaps) {
+  own_.look(state);
+  if (partner) partner_->look(*partner);
   in_vain_ = 0;
   ++n_lists_;
   beyond_ = -1;
@@ -54,13 +74,13 @@ void Reach::renew(const BodyState& state, const VectorXd& gaps) {
   for (Index k = 0; k < n; ++k) gap_.push_back(gaps[order_[static_cast<size_t>(k)]]);
 }
 
-Index Reach::count(const BodyState& state) {
-  n_ = std::ranges::upper_bound(gap_, moved(state) + margin_) - gap_.begin();
+Index Reach::count(const BodyState& state, const BodyState* partner) {
+  n_ = std::ranges::upper_bound(gap_, moved(state, partner) + margin_) - gap_.begin();
   return n_;
 }
 
-bool Reach::covers(const VectorXd& s) {
-  const double way = largest_s_.dot((s - state_s_).cwiseAbs());
+bool Reach::covers(const VectorXd& s, const VectorXd* partner_s) {
+  const double way = own_.static_way(s, s_) + (partner_s ? partner_->static_way(*partner_s, partner_s_) : 0);
   const bool covered = way <= margin_;
   margin_ = std::max(2 * way, 0.8 * margin_);
   return covered;

@@ -1,55 +1,76 @@
-// Which samples a body can bring to an obstacle: the gaps of one state, the list's, ascending,
+// Which samples a body can bring to an obstacle, or to another body: the gaps of one state, the list's, ascending,
 //
-//   gap_i(now) >= gap_i(then) - moved,
-//   moved = |c - c'| + max|x| angle(Q, Q') + sum_k |q_k - q'_k| max_i |Phi_ik| + sum_k |s_k - s'_k| max_i |Psi_ik|
+//   gap_i(now) >= gap_i(then) - moved,      moved, of both bodies:
+//   |c - c'| + max|x| angle(Q, Q') + sum_k |q_k - q'_k| max_i |Phi_ik| + sum_k |s_k - s'_k| max_i |Psi_ik|
 //
 // so that a prefix of the order holds all that can press: a neighbour list (Verlet 1967, Phys. Rev. 159) with a skin as
 // wide as the motion asks for. It is made anew as soon as the samples visited in vain since then are as many as there
 // are, which costs at most twice the least possible.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "modal/contact/floating_body.h"
 
 namespace mb {
 
+// How far a body may have moved any of its points since it was last looked at.
+class Wander {
+ public:
+  // longest [m]: of the points; largest displacements by mode and static shape, r and n_s.
+  Wander(double longest, VectorXd largest_q, VectorXd largest_s);
+  void look(const BodyState& state);                           // from now on since this
+  double operator()(const BodyState& state) const;             // [m]
+  double static_way(const VectorXd& s, const VectorXd& from) const {  // [m] by static shapes alone
+    return largest_s_.dot((s - from).cwiseAbs());
+  }
+
+ private:
+  double longest_;
+  VectorXd largest_q_, largest_s_;
+  Vector3d c_;
+  Eigen::Quaterniond Q_;
+  VectorXd q_, s_;
+};
+
 class Reach {
  public:
   explicit Reach(const SampledContact& contact);  // must outlive this
 
   // The number of places of order that can press in a state, its static shapes being about to move no further than
-  // twice as far as they last did. `gaps`, [m] of all samples, is asked for when the list is made anew.
+  // twice as far as they last did. `gaps`, [m] of all samples or below it, is asked for when the list is made anew.
+  // partner: the state of the other body, if it is one.
   template <class Gaps>
-  Index n_reachable(const BodyState& state, const Gaps& gaps) {
-    state_s_ = state.s;
-    if (spent(state)) renew(state, gaps());
-    return count(state);
+  Index n_reachable(const BodyState& state, const Gaps& gaps, const BodyState* partner = nullptr) {
+    s_ = state.s;
+    if (partner) partner_s_ = partner->s;
+    if (spent(state, partner)) renew(state, partner, gaps());
+    return count(state, partner);
   }
   // Of the last count: whether it holds all that can press with other static shapes, too. If not, count again.
-  bool covers(const VectorXd& s);
+  bool covers(const VectorXd& s, const VectorXd* partner_s = nullptr);
   void pressed(Index n) { in_vain_ += n_ - n; }  // how many of those counted did press
 
   long n_lists() const { return n_lists_; }  // made so far: another one, another order
   Index operator[](Index place) const { return order_[static_cast<size_t>(place)]; }
 
  private:
-  bool spent(const BodyState& state) const;
-  void renew(const BodyState& state, const VectorXd& gaps);
-  Index count(const BodyState& state);
-  double moved(const BodyState& state) const;
+  double moved(const BodyState& state, const BodyState* partner) const {
+    return own_(state) + (partner ? (*partner_)(*partner) : 0);
+  }
+  bool spent(const BodyState& state, const BodyState* partner) const;
+  void renew(const BodyState& state, const BodyState* partner, const VectorXd& gaps);
+  Index count(const BodyState& state, const BodyState* partner);
 
   Index n_samples_;
-  double longest_;                  // [m] |X|
-  VectorXd largest_q_, largest_s_;  // max_i |Phi_ik|, max_i |Psi_ik|
+  Wander own_;
+  std::optional<Wander> partner_;
   std::vector<Index> order_;
   std::vector<double> gap_;  // [m] ascending, of the list alone
   double beyond_ = -1;       // [m] no sample outside the list had a lesser gap; < 0: there is no list yet
-  Vector3d c_;               // the list's state
-  Eigen::Quaterniond Q_;
-  VectorXd q_, s_;
-  VectorXd state_s_;   // of the last count
-  double margin_ = 0;  // [m] that static shapes may move samples after it
+  VectorXd s_, partner_s_;   // of the last count
+  double margin_ = 0;        // [m] that static shapes may move samples after it
   Index n_ = 0, in_vain_ = 0;
   long n_lists_ = 0;
 };

@@ -19,13 +19,15 @@ class Polynomials : public LinearMethod {
   bool takes_modes() const override { return false; }
   Reduction reduce(const Model& model, const Settings&) const override {
     Reduction reduction{{}, 0};
+    std::vector<Modes> all;
     for (const BodyModel& body : model.bodies) {
       const System& system = body.full->system();
       const Modes modes = ritz_modes(system, body.full->polynomials(degree_));
       reduction.bodies.push_back(mb::reduce(body, modes, MatrixXd(system.F.rows(), 0)));
-      answer_in_contact(reduction, model, modes, false);
       reduction.modes_used = std::max(reduction.modes_used, static_cast<int>(modes.size() - modes.n_rigid));
+      all.push_back(modes);
     }
+    answer_in_contact(reduction, model, all, false);
     return reduction;
   }
 

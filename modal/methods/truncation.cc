@@ -14,6 +14,7 @@ namespace mb {
 Reduction in_eigenmodes(const Model& model, const Settings& settings, bool corrected) {
   if (settings.modes < 0) throw std::invalid_argument(fmt::format("{} modes asked for", settings.modes));
   Reduction reduction{{}, 0};
+  std::vector<Modes> all;
   for (size_t i = 0; i < model.bodies.size(); ++i) {
     const BodyModel& body = model.bodies[i];
     const System& system = body.full->system();
@@ -23,9 +24,10 @@ Reduction in_eigenmodes(const Model& model, const Settings& settings, bool corre
                                     ? residual_flexibility(system, modes, inertia_relief(system, shifted, system.F))
                                     : MatrixXd(system.F.rows(), 0);
     reduction.bodies.push_back(reduce(body, modes, correction));
-    answer_in_contact(reduction, model, modes, corrected);
     reduction.modes_used = std::max(reduction.modes_used, static_cast<int>(modes.size() - modes.n_rigid));
+    all.push_back(modes);
   }
+  answer_in_contact(reduction, model, all, corrected);
   return reduction;
 }
 

@@ -2,7 +2,8 @@
 //
 //   x_q = X_q + sum_a N_a(xi_q) u_a,   w_q = |dX/dxi| w,   f_a = sum_q w_q N_a t_q
 //
-// Linear momentum is handed over exactly, since the shape functions sum to one.
+// and the same boundary as points of another body find it. Linear momentum is handed over exactly, since the shape
+// functions sum to one.
 #pragma once
 
 #include "mechanics/contact/contact.h"
@@ -16,5 +17,8 @@ namespace mb::fem {
 // direction. surface: in the body's axes, as it stands at the first touch. U has discretisation n_dofs columns. Throws
 // std::invalid_argument where there is no such face.
 ContactPoints contact_points(const Discretisation& d, const RigidSurface& surface, double reach);
+
+// The same faces as patches; U has discretisation n_dofs columns.
+Facets facets(const Discretisation& d, const RigidSurface& surface, double reach);
 
 }  // namespace mb::fem

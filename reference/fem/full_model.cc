@@ -52,7 +52,7 @@ ModalDamping ratios_as_damping(const System& s, const Body& body, const ModeSolv
 // [m] body frame, one a contact.
 std::vector<Vector3d> first_touches(const Scene& scene, const Body& body) {
   std::vector<Vector3d> X;
-  for (const Meeting& meeting : touchdown(scene, body).meetings) X.push_back(meeting.X);
+  for (const TouchedAt& at : touched_at(scene, body)) X.push_back(at.X);
   return X;
 }
 
@@ -91,6 +91,11 @@ class DealiiModel final : public FullModel {
     points.U = SparseMatrix(points.U * supports_.T);
     return points;
   }
+  Facets facets(const RigidSurface& surface, double reach) const override {
+    Facets all = fem::facets(mesh_, surface, reach);
+    all.U = SparseMatrix(all.U * supports_.T);
+    return all;
+  }
   VectorXd translation(const Vector3d& direction) const override {
     return fem::translation(mesh_, direction)(supports_.kept);
   }
@@ -128,7 +133,8 @@ class DealiiModel final : public FullModel {
 };
 
 bool touches(const Scene& scene, const Body& body) {
-  return std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const auto& c) { return c.body == body.name; });
+  return std::ranges::any_of(scene.contacts,
+                             [&](const auto& c) { return c.body == body.name || c.obstacle == body.name; });
 }
 
 }  // namespace
@@ -141,8 +147,9 @@ std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body
 
 Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resolution, const ModeSolver& modes) {
   Model model{scene, {}};
-  for (const Body& body : scene->bodies) {
-    Resolution mesh = resolution ? *resolution : body.resolution;
+  for (size_t i = 0; i < scene->bodies.size(); ++i) {
+    const Body& body = scene->bodies[i];
+    Resolution mesh = resolution ? of_body(*resolution, i) : body.resolution;
     if (resolution && !touches(*scene, body)) mesh.graded = 0;
     const auto full = full_model(*scene, body, mesh, modes);
     const EvaluationPoints points = evaluation_points(*scene, body);

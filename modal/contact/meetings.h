@@ -1,0 +1,40 @@
+// When bodies in flight next touch anything: rigid obstacles by next_touch.h, each other in two phases,
+//
+//   broad    d(t) = distance of a's centre from b's shape at rest - radius of a - |u_a| - |u_b| >= d(t0) - way(t - t0):
+//            swept bounds; while d > 0 nothing touches, and time goes on by what d takes to be used up
+//            (conservative advancement: Mirtich & Canny 1995, Proc. Symp. Interactive 3D Graphics)
+//   narrow   the least gap of a's samples, in steps of contact; its first zero by bisection
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "modal/contact/body_pair.h"
+#include "modal/contact/next_touch.h"
+
+namespace mb {
+
+class Meetings {
+ public:
+  explicit Meetings(std::span<const ImpactPlan> plans);  // which must outlive this
+  // The earliest from the flights' common start to `end` [s]; nothing where there is none. leaving: as next_touch.
+  std::optional<NextTouch> next(const std::vector<BodyFlight>& flights, double end, bool leaving);
+
+ private:
+  struct Pair {
+    size_t a, b;
+    double radius;  // [m] of a
+    std::unique_ptr<BodyPair> pair;
+  };
+  std::optional<NextTouch> next(Pair& of, const std::vector<BodyFlight>& flights, double end) const;
+  // [s] for how long they cannot meet from t on.
+  double clear_for(const Pair& of, const std::vector<BodyFlight>& flights, double t, double end) const;
+  double least_gap(Pair& of, const std::vector<BodyFlight>& flights, double t) const;
+  double first_zero(Pair& of, const std::vector<BodyFlight>& flights, double from, double to) const;
+
+  std::span<const ImpactPlan> plans_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace mb

@@ -1,0 +1,117 @@
+#include "reference/impact_member.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "reference/impact_limits.h"
+
+namespace mb {
+
+ImpactMember::ImpactMember(const Model& model, size_t i)
+    : body_(&model.scene->bodies.at(i)),
+      points_(model.bodies.at(i).points.all()),
+      displacement_{model.bodies[i].displacement, {}},
+      strain_{model.bodies[i].strain, {}},
+      full_(model.bodies[i].full),
+      touchdown_(mb::touchdown(*model.scene, *body_)),
+      system_(full_->system()),
+      free_(!is_held(*body_)) {
+  if (!body_->twist.angular_velocity.isZero(0))
+    throw std::invalid_argument("body '" + body_->name + "' spins: full order in contact has small rotations only");
+  velocity_ = to_axes(body_->twist.velocity);
+  gravity_ = to_axes(model.scene->gravity);
+}
+
+void ImpactMember::start_at(double t, const Integrator& integrator, const Settings& settings) {
+  start_ = t;
+  if (free_) {
+    system_.v0 = full_->translation(velocity_ + t * gravity_);
+    return;
+  }
+  if (!(t > 0)) return;
+  alone_ = integrator.prepare(full_->system(), settings, t);
+  const States bent = alone_->run(VectorXd::Constant(1, t));
+  if (bent.status != Status::ok)
+    throw std::runtime_error("body '" + body_->name + "' before it is touched: " + to_string(bent.status));
+  system_.u0 = bent.u.col(0), system_.v0 = bent.v.col(0);
+}
+
+Pose ImpactMember::frame() const { return {body_->pose.to_world(flown(start_)), body_->pose.orientation}; }
+
+States ImpactMember::before(const VectorXd& t) const {
+  if (alone_ && t.size() > 0) return alone_->run(t);
+  States still;
+  still.u = still.v = MatrixXd::Zero(n(), t.size());
+  still.n_valid = t.size();
+  return still;
+}
+
+MatrixXd ImpactMember::displacement(const MatrixXd& u, const VectorXd& t) const {
+  MatrixXd values = observe(displacement_, u, {});
+  const Eigen::Matrix3d Q = body_->pose.orientation.toRotationMatrix();
+  for (Index k = 0; k < t.size(); ++k) {
+    const Vector3d d = flown(std::min(t[k], start_));
+    for (Index i = 0; i < points_.cols(); ++i) {
+      auto x = values.col(k).segment<3>(3 * i);
+      x = free_ ? Vector3d(body_->pose.position + Q * (points_.col(i) + d + x) - points_.col(i)) : Vector3d(Q * x);
+    }
+  }
+  return values;
+}
+
+MatrixXd ImpactMember::rotation(const MatrixXd& u) const {
+  return rotation_rows(system_, points_, observe(displacement_, system_.R, {})) * u;
+}
+
+VectorXd ImpactMember::weight() const {
+  return free_ ? VectorXd(system_.M * full_->translation(gravity_)) : VectorXd(system_.F.rowwise().sum());
+}
+
+VectorXd ImpactMember::energy(const MatrixXd& u, const MatrixXd& v) const {
+  const VectorXd load = weight();
+  const double mass =
+      free_ ? full_->translation(Vector3d::UnitX()).dot(system_.M * full_->translation(Vector3d::UnitX())) : 0;
+  VectorXd E = VectorXd::Constant(u.cols(), -mass * gravity_.dot(flown(start_)));
+  for (Index k = 0; k < u.cols(); ++k)
+    E[k] += kinetic_energy(system_, v.col(k)) + strain_energy(system_, u.col(k)) - load.dot(u.col(k));
+  return E;
+}
+
+double ImpactMember::energy_at_start() const { return kinetic_energy(system_, full_->system().v0); }
+
+SparseMatrix ImpactMember::in_world(const SparseMatrix& U, Index first, Index n_all) const {
+  const Eigen::Matrix3d Q = body_->pose.orientation.toRotationMatrix();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index j = 0; j < U.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator it(U, j); it; ++it)
+      for (Index i = 0; i < 3; ++i)
+        if (const double part = Q(i, it.row() % 3); part != 0)
+          entries.emplace_back(it.row() / 3 * 3 + i, first + j, part * it.value());
+  SparseMatrix all(U.rows(), n_all);
+  all.setFromTriplets(entries.begin(), entries.end());
+  return all;
+}
+
+namespace {
+
+Matrix3Xd to_world(const Pose& frame, const Matrix3Xd& X) {
+  return (frame.orientation.toRotationMatrix() * X).colwise() + frame.position;
+}
+
+}  // namespace
+
+ContactPoints ImpactMember::contact_points(const RigidSurface& met, double reach, Index first, Index n_all) const {
+  ContactPoints all = full_->contact_points(seen_from(frame(), met), reach);
+  all.X = to_world(frame(), all.X);
+  all.U = in_world(all.U, first, n_all);
+  return all;
+}
+
+Facets ImpactMember::facets(const RigidSurface& met, double reach, Index first, Index n_all) const {
+  Facets all = full_->facets(seen_from(frame(), met), reach);
+  all.X = to_world(frame(), all.X);
+  all.U = in_world(all.U, first, n_all);
+  return all;
+}
+
+}  // namespace mb

@@ -1,0 +1,62 @@
+// One body of a scene with contact in full order, linear kinematics: what of its motion is not the joint integrator's.
+//
+//   x = c0 + Q0 (X + d(t) + u),   d rigid flight up to the joint start, in closed form; of a body that is held d = 0,
+//                                 and before the joint start u is integrated alone: its weight bends it
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cases/contract/linear.h"
+#include "cases/contract/touchdown.h"
+
+namespace mb {
+
+class ImpactMember {
+ public:
+  // The model must outlive this. Throws std::invalid_argument for a body that spins at the start.
+  ImpactMember(const Model& model, size_t i);
+  void start_at(double t, const Integrator& integrator, const Settings& settings);  // [s] of the joint integration
+
+  const Body& body() const { return *body_; }
+  const FullModel& full() const { return *full_; }
+  bool free() const { return free_; }
+  const Touchdown& touchdown() const { return touchdown_; }
+  const Matrix3Xd& points() const { return points_; }
+  const System& system() const { return system_; }  // with the state at the joint start
+  Index n() const { return system_.u0.size(); }
+  Pose frame() const;  // of the undeformed body at the joint start
+
+  // Before the joint start: u [m] n x n_t at times t [s], all below it; zeros of a free body.
+  States before(const VectorXd& t) const;
+  // Of u: x - X at the evaluation points, of a body that is held in the world's axes alone: 3 p x n_t.
+  MatrixXd displacement(const MatrixXd& u, const VectorXd& t) const;
+  MatrixXd strain(const MatrixXd& u) const { return observe(strain_, u, {}); }
+  MatrixXd rotation(const MatrixXd& u) const;  // [rad] 3 x n_t, R R^T M u's
+  VectorXd weight() const;                     // [N]
+  // [J] kinetic, strain and the weight's since t = 0, of states at the joint start or later.
+  VectorXd energy(const MatrixXd& u, const MatrixXd& v) const;
+  double energy_at_start() const;  // [J] of the body as the scene states it
+
+  // Where it may touch, in the world as at the joint start, with columns from `first` on of n_all.
+  ContactPoints contact_points(const RigidSurface& met, double reach, Index first, Index n_all) const;
+  Facets facets(const RigidSurface& met, double reach, Index first, Index n_all) const;
+
+ private:
+  Vector3d to_axes(const Vector3d& world) const { return body_->pose.orientation.conjugate() * world; }
+  Vector3d flown(double t) const { return free_ ? Vector3d(t * velocity_ + t * t / 2 * gravity_) : Vector3d::Zero(); }
+  SparseMatrix in_world(const SparseMatrix& U, Index first, Index n_all) const;
+
+  const Body* body_;
+  Matrix3Xd points_;
+  Observation displacement_, strain_;
+  std::shared_ptr<const FullModel> full_;
+  Touchdown touchdown_;
+  System system_;
+  bool free_;
+  double start_ = 0;
+  Vector3d velocity_, gravity_;  // in the body's axes
+  std::unique_ptr<Stepper> alone_;
+};
+
+}  // namespace mb
