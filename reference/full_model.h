@@ -30,8 +30,8 @@ using ModeSolver = std::function<Modes(const System& system, const Body& body, i
 std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body, const Resolution& resolution,
                                             const ModeSolver& modes = {});
 
-// Every body of the scene, with its observation at the evaluation points. resolution: of the whole scene, in the place of
-// the bodies' own; one without contact takes it ungraded.
+// Every body of the scene, with its observation at the evaluation points. resolution: of the whole scene, in the place
+// of the bodies' own; one without contact takes it ungraded.
 Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resolution = nullptr,
                   const ModeSolver& modes = {});
 

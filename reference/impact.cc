@@ -124,8 +124,7 @@ class PreparedImpact final : public Prepared {
     watched_.push_back({i, pair.obstacle, partner != nullptr});
     if (!partner) return;
     const RigidSurface own{member.body().shape, 0, member.frame()};
-    contacts_.back().partner =
-        std::make_shared<const Facets>(members_[other].facets(own, within, first_[other], n_));
+    contacts_.back().partner = std::make_shared<const Facets>(members_[other].facets(own, within, first_[other], n_));
   }
 
   // Throws std::runtime_error for an answer beyond what is simulated here, with what came first. One that an explicit
@@ -156,7 +155,8 @@ class PreparedImpact final : public Prepared {
       const ImpactMember& m = members_[i];
       const VectorXd load = m.weight();
       there_was += kinetic_energy(m.system(), m.system().v0) + load.lpNorm<1>() * extent(m.body().shape);
-      now += kinetic_energy(m.system(), part(v, i)) + strain_energy(m.system(), part(u, i)) - load.dot(part(u, i).col(0));
+      now +=
+          kinetic_energy(m.system(), part(v, i)) + strain_energy(m.system(), part(u, i)) - load.dot(part(u, i).col(0));
     }
     return !(now <= blown_up * there_was);
   }

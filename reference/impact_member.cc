@@ -28,7 +28,7 @@ void ImpactMember::start_at(double t, const Integrator& integrator, const Settin
     system_.v0 = full_->translation(velocity_ + t * gravity_);
     return;
   }
-  if (!(t > 0)) return;
+  if (!(t > 0) || body_->settled) return;
   alone_ = integrator.prepare(full_->system(), settings, t);
   const States bent = alone_->run(VectorXd::Constant(1, t));
   if (bent.status != Status::ok)
@@ -41,7 +41,8 @@ Pose ImpactMember::frame() const { return {body_->pose.to_world(flown(start_)), 
 States ImpactMember::before(const VectorXd& t) const {
   if (alone_ && t.size() > 0) return alone_->run(t);
   States still;
-  still.u = still.v = MatrixXd::Zero(n(), t.size());
+  still.v = MatrixXd::Zero(n(), t.size());
+  still.u = free_ ? still.v : full_->system().u0.replicate(1, t.size()).eval();
   still.n_valid = t.size();
   return still;
 }

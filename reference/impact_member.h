@@ -27,7 +27,8 @@ class ImpactMember {
   Index n() const { return system_.u0.size(); }
   Pose frame() const;  // of the undeformed body at the joint start
 
-  // Before the joint start: u [m] n x n_t at times t [s], all below it; zeros of a free body.
+  // Before the joint start: u [m] n x n_t at times t [s], all below it; zeros of a free body, of one that has settled
+  // what its weight makes.
   States before(const VectorXd& t) const;
   // Of u: x - X at the evaluation points, of a body that is held in the world's axes alone: 3 p x n_t.
   MatrixXd displacement(const MatrixXd& u, const VectorXd& t) const;

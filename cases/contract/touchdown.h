@@ -1,5 +1,5 @@
-// How the bodies of a scene, rigid as yet, come to their obstacles and to each other: what happens before anything deforms, in closed
-// form, the same for every answer.
+// How the bodies of a scene, rigid as yet, come to their obstacles and to each other: what happens before anything
+// deforms, in closed form, the same for every answer.
 #pragma once
 
 #include <limits>

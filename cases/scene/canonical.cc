@@ -97,6 +97,7 @@ std::string canonical(const Body& body) {
     out += fmt::format("drive {} {}\n", vector(support.drive->direction), canonical(support.drive->acceleration));
   }
   out += canonical(body.pose);
+  if (body.settled) out += "starts settled\n";
   return out + stated("velocity", body.twist.velocity) + stated("angular_velocity", body.twist.angular_velocity);
 }
 

@@ -79,7 +79,7 @@ void check_contact_rules(Section& root, const std::vector<BodyDraft>& bodies, co
   std::size_t i = 0;
   for (Section& section : root.sections("body", {1, 64})) {
     if (!contacts.any) {
-      for (const char* key : {"pose", "velocity", "angular_velocity"}) refuse_without_contact(section, key);
+      for (const char* key : {"pose", "velocity", "angular_velocity", "starts"}) refuse_without_contact(section, key);
     } else {
       check_start(section);
     }

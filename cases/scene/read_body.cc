@@ -18,6 +18,16 @@ void read_kinematics(Section& section) {
   }
 }
 
+// A body that nothing holds falls, however it starts.
+bool read_settled(Section& section, const BodyDraft& body) {
+  if (!section.has("starts")) return false;
+  const auto word = section.choice("starts", {{"undeformed", "settled"}, "state at the start", "states at the start"});
+  if (word != "settled") return false;
+  if (body.supports.supports.empty() && body.theory == Theory::solid)
+    section.error("starts", "'starts' = \"settled\" is of no use: no support holds the body, its weight lets it fall");
+  return true;
+}
+
 }  // namespace
 
 std::optional<bool> touch(const std::vector<BodyDraft>& bodies) {
@@ -41,15 +51,17 @@ BodyDraft read_body(Section section, const HistoryContext& context) {
   read_kinematics(section);
   body.pose = read_pose(section, "pose");
   body.twist = read_twist(section);
+  body.settled = read_settled(section, body);
   check_theory(section, body);
   section.finish();
   return body;
 }
 
 Body completed(const BodyDraft& draft) {
-  return {draft.name.value(),   draft.shape.value(),      draft.material.value(),  draft.damping.rayleigh,
-          draft.damping.ratios, draft.resolution.value(), draft.supports.supports, draft.pose.value(),
-          draft.twist.value(),  draft.theory.value()};
+  return {draft.name.value(),      draft.shape.value(),  draft.material.value(),
+          draft.damping.rayleigh,  draft.damping.ratios, draft.resolution.value(),
+          draft.supports.supports, draft.pose.value(),   draft.twist.value(),
+          draft.theory.value(),    draft.settled};
 }
 
 }  // namespace mb

@@ -19,7 +19,8 @@ struct BodyDraft {
   std::optional<Pose> pose = Pose{};
   std::optional<Twist> twist = Twist{};
   std::optional<Theory> theory = Theory::solid;  // nothing: wrong
-  std::optional<bool> touches = std::nullopt;    // whether a contact names it; nothing: not known
+  bool settled = false;
+  std::optional<bool> touches = std::nullopt;  // whether a contact names it; nothing: not known
 };
 
 // Whether a contact names any of them; nothing: not known, nor for no bodies.

@@ -65,10 +65,9 @@ void check_meshes(const Mesh& finer, const Mesh& coarser, std::optional<Section>
   }
   if (finer.resolution && own && *finer.resolution == *own) {
     const bool own_mesh = profile && profile->has("resolution") && !own_finer;
-    findings.error(
-        own_mesh ? profile->where("resolution") : finer.where,
-        fmt::format("'finer' is the mesh of body '{}' itself: truth same_mesh has that one",
-                    bodies.front().name.value_or("")));
+    findings.error(own_mesh ? profile->where("resolution") : finer.where,
+                   fmt::format("'finer' is the mesh of body '{}' itself: truth same_mesh has that one",
+                               bodies.front().name.value_or("")));
   }
 }
 

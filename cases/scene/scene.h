@@ -68,6 +68,7 @@ struct Body {
   Pose pose = {};   // at t = 0, of the frame in which the shape is centred
   Twist twist = {}; /* at t = 0 */
   Theory theory = Theory::solid;
+  bool settled = false;  // at t = 0 in equilibrium with its weight, at rest; of bodies with supports
 };
 bool is_held(const Body& body);  // by supports or by its theory: its frame stands still
 
@@ -95,10 +96,10 @@ enum class ContactLaw { penalty, hertz };
 // (mechanics/contact/law.h), and what they meet feels the opposite.
 struct ContactPair {
   std::string body, obstacle;  // the latter the name of either
-  double stiffness;       // k_n [Pa/m], of hertz k [N/m^1.5]; 0: auto, from the bodies and the size of the contact
-  double damping = 0;     // d [s/m]
-  double friction = 0;    // mu [-]; 0: frictionless
-  double slip_speed = 0;  // v_eps [m/s] of friction
+  double stiffness;            // k_n [Pa/m], of hertz k [N/m^1.5]; 0: auto, from the bodies and the size of the contact
+  double damping = 0;          // d [s/m]
+  double friction = 0;         // mu [-]; 0: frictionless
+  double slip_speed = 0;       // v_eps [m/s] of friction
   ContactLaw law = ContactLaw::penalty;
 };
 

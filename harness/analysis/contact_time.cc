@@ -160,9 +160,9 @@ class Account {
       n_static += each.body.n_static();
       for (const SampledContact& contact : each.body.contacts) n_samples += contact.samples.w.size();
     }
-    runs_.rows.push_back({asked.of.method, r, count(n_static), plan.step, to_string(motion.status),
-                          n_steps, count(n_samples), loads.visited, whole.median, whole.spread,
-                          scene_.duration / whole.median, scene_.duration / shown});
+    runs_.rows.push_back({asked.of.method, r, count(n_static), plan.step, to_string(motion.status), n_steps,
+                          count(n_samples), loads.visited, whole.median, whole.spread, scene_.duration / whole.median,
+                          scene_.duration / shown});
   }
 
   const Scene& scene_;

@@ -38,8 +38,8 @@ ContactVariants::ContactVariants(const AnalysisContext& context)
   if (context.scene->contacts.empty()) throw std::invalid_argument("the scene has no contact to be varied");
   modes_.push_back(body_.modes);
   for (std::size_t i = 1; i < context.scene->bodies.size(); ++i)
-    modes_.push_back(lowest_modes(body_.scene_model.bodies[i].full->system(), n_modes_,
-                                  physical_shift(context.scene->bodies[i])));
+    modes_.push_back(
+        lowest_modes(body_.scene_model.bodies[i].full->system(), n_modes_, physical_shift(context.scene->bodies[i])));
 }
 
 std::vector<ContactContender> ContactVariants::contenders() const {

@@ -82,9 +82,9 @@ Vector3d centroid_at(const Trajectory& answer, const MetricContext& context, Ind
   return rigid_frame(X, w, of(answer, context).displacement.col(k).head(3 * X.cols())).c;
 }
 
-// [J] What is in play: the kinetic energy at the first touch, that of what strikes the body included, the largest that
-// contacts hold, or the largest work of the weight.
-double energy_brought(const Trajectory& answer, const MetricContext& context) {
+// [J] What is in play of one body: the kinetic energy at the first touch, that of what strikes the body included, the
+// largest that contacts hold, or the largest work of the weight.
+double own_energy_brought(const Trajectory& answer, const MetricContext& context) {
   const Body& b = body(context);
   if (const Obstacle* obstacle = striker_of(context.scene, b))
     return 0.5 * obstacle->striker->mass * obstacle->striker->speed * obstacle->striker->speed;
@@ -100,13 +100,31 @@ double energy_brought(const Trajectory& answer, const MetricContext& context) {
   return std::max({0.5 * mass(b) * v.squaredNorm(), stored, work});
 }
 
-// [J] With what contacts have lost; of size 0 where it was not recorded or is not finite.
-VectorXd energy_kept(const Trajectory& answer, const MetricContext& context) {
-  const BodyTrajectory& b = of(answer, context);
-  const auto& [force, impulse, stored, dissipated, touches] = b.contact;
-  if (dissipated.size() != b.energy.size() || stored.size() != b.energy.size()) return {};
-  const VectorXd kept = b.energy + dissipated;
-  return kept.allFinite() && stored.allFinite() ? kept : VectorXd();
+// Of all bodies: what meets shares its energy.
+double energy_brought(const Trajectory& answer, const MetricContext& context) {
+  double sum = 0;
+  for (std::size_t i = 0; i < context.scene.bodies.size(); ++i) {
+    const auto place = static_cast<Index>(i);
+    if (place == context.body) {
+      sum += own_energy_brought(answer, context);
+    } else if (const Body& other = context.scene.bodies[i]; !is_held(other)) {  // what is held is at rest
+      const EvaluationPoints points = evaluation_points(context.scene, other);
+      sum += own_energy_brought(answer, {context.scene, place, points, true});
+    }
+  }
+  return sum;
+}
+
+// [J] Of all bodies, with what contacts have lost; of size 0 where it was not recorded or is not finite.
+VectorXd energy_kept(const Trajectory& answer, const MetricContext&) {
+  VectorXd sum = VectorXd::Zero(answer.t.size());
+  for (const BodyTrajectory& b : answer.bodies) {
+    const auto& [force, impulse, stored, dissipated, touches] = b.contact;
+    if (b.energy.size() != sum.size() || dissipated.size() != sum.size() || stored.size() != sum.size()) return {};
+    if (!stored.allFinite()) return {};
+    sum += b.energy + dissipated;
+  }
+  return sum.allFinite() ? sum : VectorXd();
 }
 
 double energy_gain(const Trajectory& answer, const Trajectory&, const MetricContext& context) {
@@ -117,10 +135,11 @@ double energy_gain(const Trajectory& answer, const Trajectory&, const MetricCont
 
 // Damping of the body and loads take and bring what is not in the sum.
 bool keeps_energy(const MetricContext& context) {
-  const auto& [alpha, beta] = body(context).damping;
-  const auto& ratios = body(context).damping_ratios;
-  return alpha == 0 && beta == 0 && std::ranges::all_of(ratios, [](double zeta) { return zeta == 0; }) &&
-         context.scene.loads.empty();
+  const auto undamped = [](const Body& b) {
+    return b.damping.alpha == 0 && b.damping.beta == 0 &&
+           std::ranges::all_of(b.damping_ratios, [](double zeta) { return zeta == 0; });
+  };
+  return std::ranges::all_of(context.scene.bodies, undamped) && context.scene.loads.empty();
 }
 double energy_defect(const Trajectory& answer, const Trajectory&, const MetricContext& context) {
   const VectorXd kept = energy_kept(answer, context);

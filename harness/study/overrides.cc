@@ -134,7 +134,8 @@ std::vector<BodyDraft> drafts(const Scene& scene) {
     BodyDraft draft{body.name, body.shape, body.material, body.resolution, {}, {}};
     draft.damping.ratios = body.damping_ratios;
     draft.theory = body.theory;
-    draft.touches = std::ranges::any_of(scene.contacts, [&](const auto& pair) { return pair.body == body.name || pair.obstacle == body.name; });
+    draft.touches = std::ranges::any_of(
+        scene.contacts, [&](const auto& pair) { return pair.body == body.name || pair.obstacle == body.name; });
     all.push_back(std::move(draft));
   }
   return all;

@@ -20,7 +20,8 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> below(const SparseMatrix& upper, co
   std::vector<Eigen::Triplet<double>> entries;
   for (Index j = 0; j < upper.outerSize(); ++j) {
     for (SparseMatrix::InnerIterator it(upper, j); it; ++it) entries.emplace_back(it.row(), j, it.value());
-    for (SparseMatrix::InnerIterator it(lower, j); it; ++it) entries.emplace_back(upper.rows() + it.row(), j, it.value());
+    for (SparseMatrix::InnerIterator it(lower, j); it; ++it)
+      entries.emplace_back(upper.rows() + it.row(), j, it.value());
   }
   Eigen::SparseMatrix<double, Eigen::RowMajor> all(upper.rows() + lower.rows(), upper.cols());
   all.setFromTriplets(entries.begin(), entries.end());

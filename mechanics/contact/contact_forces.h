@@ -44,14 +44,14 @@ class ContactForces {
   using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   struct Part {
     const Contact* contact;
-    bool flat = false;  // one row a point
-    Rows D = {};        // rows m, 3 m or, with k nodes of a partner, 3 (m + k); columns |C|
+    bool flat = false;   // one row a point
+    Rows D = {};         // rows m, 3 m or, with k nodes of a partner, 3 (m + k); columns |C|
     VectorXd gap0 = {};  // [m] of a flat one at u = 0
     Vector3d normal = Vector3d::Zero();
     mutable std::optional<FootSearch> feet = {};  // on a partner
     mutable VectorXd y = {}, rate = {}, t = {};   // of every row
     mutable std::vector<Index> touching = {};
-    mutable std::vector<Foot> at = {};                              // of touching points on a partner
+    mutable std::vector<Foot> at = {};                          // of touching points on a partner
     mutable std::vector<Eigen::Matrix3d> by_x = {}, by_v = {};  // of touching points
   };
   using Row = std::vector<std::pair<Index, double>>;  // column in C, entry

@@ -8,10 +8,10 @@ namespace mb {
 
 namespace {
 
-constexpr double skin = 0.25;       // [-] of the mean radius of a patch
+constexpr double skin = 0.25;        // [-] of the mean radius of a patch
 constexpr int most_iterations = 30;  // of a foot; a few suffice
-constexpr double settled = 1e-12;   // [-] change of xi
-constexpr double rim = 1e-9;        // [-] of xi: nearer to an edge than that is at it
+constexpr double settled = 1e-12;    // [-] change of xi
+constexpr double rim = 1e-9;         // [-] of xi: nearer to an edge than that is at it
 
 // Rows a: coefficients of L_a by ascending powers.
 MatrixXd lagrange(const VectorXd& places) {

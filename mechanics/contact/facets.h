@@ -13,10 +13,10 @@
 namespace mb {
 
 struct Facets {
-  VectorXd places;       // [-] p + 1 in [0, 1], ascending, p in [1, 4]
+  VectorXd places;        // [-] p + 1 in [0, 1], ascending, p in [1, 4]
   Eigen::MatrixXi nodes;  // (p + 1)^2 x n patches, xi_1 running fastest; S_1 x S_2 points outward
-  Matrix3Xd X;           // [m] 3 x k, of the nodes at rest
-  SparseMatrix U;        // 3 k x n: displacements of the nodes
+  Matrix3Xd X;            // [m] 3 x k, of the nodes at rest
+  SparseMatrix U;         // 3 k x n: displacements of the nodes
 };
 
 struct Foot {
@@ -63,13 +63,13 @@ class FootSearch {
   void renew();
 
   const Facets& facets_;
-  MatrixXd coefficients_;   // of L by powers of xi
-  double lebesgue_;         // bound of sum |L_a L_b|
+  MatrixXd coefficients_;    // of L by powers of xi
+  double lebesgue_;          // bound of sum |L_a L_b|
   Matrix3Xd x_, reference_;  // nodes: now; where the spheres were made
-  double moved_ = 0;        // [m] of any point of the surface since then
-  double skin_;             // [m] that lists allow for
+  double moved_ = 0;         // [m] of any point of the surface since then
+  double skin_;              // [m] that lists allow for
   long epoch_ = 0;
-  Matrix3Xd centres_;       // of spheres around the patches
+  Matrix3Xd centres_;  // of spheres around the patches
   VectorXd radii_;
   std::vector<Memory> memory_;
 };

@@ -179,7 +179,8 @@ TEST(ContactOfTwo, TangentIsTheDerivativeButForCurvature) {
     const VectorXd by_u = (up - down) / (2 * e);
     VectorXd predicted = VectorXd::Zero(f.size());
     predicted(tangent.active) = tangent.by_u * VectorXd(forces.gather(along)(tangent.active));
-    EXPECT_LT((predicted - by_u).norm(), 0.02 * by_u.norm());  // gap by radius and by width of a patch: 5e-4 by 1/2, random slopes of some 4
+    EXPECT_LT((predicted - by_u).norm(),
+              0.02 * by_u.norm());  // gap by radius and by width of a patch: 5e-4 by 1/2, random slopes of some 4
     constexpr double e_v = 1e-4;
     forces(forces.gather(p.u), forces.gather(p.v + e_v * along), up);
     forces(forces.gather(p.u), forces.gather(p.v - e_v * along), down);

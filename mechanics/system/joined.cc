@@ -21,7 +21,8 @@ SparseMatrix diagonal(const std::vector<System>& systems, const Part& part) {
   for (const System& s : systems) {
     const SparseMatrix A = part(s);
     for (Index j = 0; j < A.outerSize(); ++j)
-      for (SparseMatrix::InnerIterator it(A, j); it; ++it) entries.emplace_back(first + it.row(), first + j, it.value());
+      for (SparseMatrix::InnerIterator it(A, j); it; ++it)
+        entries.emplace_back(first + it.row(), first + j, it.value());
     first += s.M.rows();
   }
   SparseMatrix all(first, first);
@@ -83,9 +84,8 @@ System joined(const std::vector<System>& systems) {
   const bool same = std::ranges::all_of(systems, alike);
   if (!same) {
     all.damping = {};
-    all.viscous = diagonal(systems, [](const System& s) -> SparseMatrix {
-      return s.damping.alpha * s.M + s.damping.beta * s.K;
-    });
+    all.viscous =
+        diagonal(systems, [](const System& s) -> SparseMatrix { return s.damping.alpha * s.M + s.damping.beta * s.K; });
   }
   all.modal_damping.W = staircase(systems, [&](const System& s) -> MatrixXd {
     const Index n_rigid = same ? 0 : s.R.cols();
@@ -94,8 +94,7 @@ System joined(const std::vector<System>& systems) {
     if (s.modal_damping.W.cols() > 0) W.rightCols(s.modal_damping.W.cols()) = s.modal_damping.W;
     return W;
   });
-  all.modal_damping.d =
-      stacked(systems, [&](const System& s) { return same ? s.modal_damping.d : damped_by(s); });
+  all.modal_damping.d = stacked(systems, [&](const System& s) { return same ? s.modal_damping.d : damped_by(s); });
   return all;
 }
 

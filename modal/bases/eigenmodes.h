@@ -5,7 +5,7 @@
 // Rigid modes are known from geometry and deflated. Nothing is returned before it has passed the gate (gate.h).
 #pragma once
 
-#include "cases/scene/scene.h"
+#include "cases/contract/physical_shift.h"
 #include "mechanics/system/static_response.h"
 #include "modal/bases/gate.h"
 #include "modal/bases/rayleigh_ritz.h"
@@ -22,9 +22,5 @@ Modes lowest_modes(const System& system, int n_elastic, const ShiftedFactor& shi
 
 // Its first try without the gate, for those who time it: the modes found, a few more than asked for.
 ElasticModes elastic_modes(const System& system, int n_elastic, const ShiftedFactor& shifted);
-
-// -0.01 E/(rho l^2) [1/s^2], l the largest extent: well below the first elastic eigenvalue, (pi c/l)^2 for a rod, and
-// far enough from zero that K - sigma M of a free body is well conditioned.
-double physical_shift(const Body& body);
 
 }  // namespace mb

@@ -10,8 +10,8 @@ namespace mb {
 
 namespace {
 
-constexpr int n_rounds = 2;          // of a foot; each leaves the strain's part of the error
-constexpr double surely = 0.8;       // [-] of a distance at rest, of what is far: no strain takes more
+constexpr int n_rounds = 2;     // of a foot; each leaves the strain's part of the error
+constexpr double surely = 0.8;  // [-] of a distance at rest, of what is far: no strain takes more
 
 // Of theta -> theta x arm.
 Eigen::Matrix3d turning(const Vector3d& arm) {
@@ -42,7 +42,8 @@ void BodyPair::look(const Moving& a, const Moving& b) {
   Q_a_ = a.state->Q.toRotationMatrix(), Q_b_ = b.state->Q.toRotationMatrix();
   map_.emplace(surface_.geometry.map(b.state->q));
   rate_.emplace(surface_.geometry.map(*b.rate));
-  n_ = reach_.n_reachable(*a.state, [&] { return gaps(); }, b.state);
+  n_ = reach_.n_reachable(
+      *a.state, [&] { return gaps(); }, b.state);
   near_.resize(static_cast<size_t>(n_));
   for (Index k = 0; k < n_; ++k) {
     const Index i = reach_[k];
@@ -76,8 +77,8 @@ void BodyPair::find_foot(Index i, Near& near) const {
 VectorXd BodyPair::gaps() const {
   VectorXd all(contact_.samples.w.size());
   for (Index i = 0; i < all.size(); ++i) {
-    const Vector3d u = Phi_.middleCols(3 * i, 3).transpose() * at_a_.state->q +
-                       Psi_.middleCols(3 * i, 3).transpose() * at_a_.state->s;
+    const Vector3d u =
+        Phi_.middleCols(3 * i, 3).transpose() * at_a_.state->q + Psi_.middleCols(3 * i, 3).transpose() * at_a_.state->s;
     const Vector3d x = at_a_.state->c + Q_a_ * (contact_.samples.X.col(i) + u);
     const Vector3d y = Q_b_.transpose() * (x - at_b_.state->c);
     const Vector3d Y = projected(surface_.shape, y);

@@ -39,10 +39,10 @@ class BodyPair {
   void stiffen(const VectorXd& s, double rate, MatrixXd& K);
 
  private:
-  struct Near {              // a sample in reach
-    Vector3d x, v, n;        // [m], [m/s] relative to its foot, world; but for the static shapes
-    Vector3d Y, y;           // [m] of b's frame, of its deformed shape there
-    double gap;              // [m]
+  struct Near {        // a sample in reach
+    Vector3d x, v, n;  // [m], [m/s] relative to its foot, world; but for the static shapes
+    Vector3d Y, y;     // [m] of b's frame, of its deformed shape there
+    double gap;        // [m]
   };
   VectorXd gaps() const;
   void find_foot(Index i, Near& near) const;

@@ -1,4 +1,5 @@
-// What all contacts of bodies that move together do to them in one state: samples i of its surface feel the law (mechanics/contact/law.h),
+// What all contacts of bodies that move together do to them in one state: samples i of its surface feel the law
+// (mechanics/contact/law.h),
 //
 //   f_i = w_i t(gap(x_i), v_i),    force = sum f_i,   torque = sum (x_i - c) x f_i,   modal = sum Phi_i^T Q^T f_i
 //
@@ -31,7 +32,7 @@ struct ContactLoad {
 // reused.
 struct Looked {
   BodyState* state;
-  Vector3d Omega;  // [rad/s] world
+  Vector3d Omega;        // [rad/s] world
   const VectorXd* rate;  // [m kg^1/2 / s] q'
   ContactLoad* load;
 };

@@ -201,8 +201,7 @@ bool ContactStepper::advance_by_newmark(std::span<ContactState> states) {
   for (int i = 0; !step.balanced(residual); ++i) {
     const double before = step.size(residual);
     if (i == max_iterations || !std::isfinite(before) || !converged(states)) return false;
-    const VectorXd change =
-        step.newton_step(residual, h_ * h_ / 4 * loads_.stiffness(static_shapes(states), 2 / h_));
+    const VectorXd change = step.newton_step(residual, h_ * h_ / 4 * loads_.stiffness(static_shapes(states), 2 / h_));
     double part = 1;
     for (residual = imbalance(y - change); !(step.size(residual) < before) && part > least_part;) {
       part /= 2;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "cases/contract/approach.h"
+#include "cases/contract/physical_shift.h"
 #include "mechanics/geometry/graded_rule.h"
 #include "mechanics/geometry/signed_distance.h"
 #include "mechanics/rigid/inertia.h"
@@ -133,6 +134,10 @@ FloatingBasis basis_of(const Model& model, size_t i, const Modes& modes, const S
                       mesh.strain * Psi};
   basis.bounds = shape_bounds(body.shape, basis.geometry.basis);
   if (!free) basis.body.weight = Phi.transpose() * system.F.rowwise().sum();
+  if (body.settled)
+    for (Index k = 0; k < r; ++k)
+      if (const double lambda = basis.body.modes[static_cast<size_t>(k)].k; lambda > 0)
+        basis.start.q[k] = basis.body.weight[k] / lambda;
   if (!free) basis.start.p = Phi.transpose() * (system.M * system.v0);
   const Eigen::Quaterniond& Q = body.pose.orientation;
   basis.start.L = Q * (inertia.inertia * (Q.conjugate() * body.twist.angular_velocity));
@@ -226,8 +231,7 @@ class PreparedFloating final : public Prepared {
   }
   Index n_unknowns() const override {
     Index n = 0;
-    for (const ImpactPlan& plan : plans_)
-      n += (plan.body.free ? 6 : 0) + plan.body.n_modes() + plan.body.n_static();
+    for (const ImpactPlan& plan : plans_) n += (plan.body.free ? 6 : 0) + plan.body.n_modes() + plan.body.n_static();
     return n;
   }
 

@@ -1,5 +1,5 @@
-// The bodies of a scene with contact in their modes, made ready: where they may touch is sampled on their exact surfaces,
-// graded towards each first touch, and the motion is that of modal/contact/impact_motion.h.
+// The bodies of a scene with contact in their modes, made ready: where they may touch is sampled on their exact
+// surfaces, graded towards each first touch, and the motion is that of modal/contact/impact_motion.h.
 #pragma once
 
 #include <span>

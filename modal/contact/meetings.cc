@@ -27,8 +27,8 @@ Meetings::Meetings(std::span<const ImpactPlan> plans) : plans_(plans) {
     for (const SampledContact& contact : plans[a].body.contacts) {
       if (!contact.partner) continue;
       const size_t b = contact.partner->body;
-      pairs_.push_back({a, b, circumradius(plans[a].shape),
-                        std::make_unique<BodyPair>(plans[a].body, plans[b].body, contact)});
+      pairs_.push_back(
+          {a, b, circumradius(plans[a].shape), std::make_unique<BodyPair>(plans[a].body, plans[b].body, contact)});
     }
 }
 

@@ -20,8 +20,8 @@ class Wander {
  public:
   // longest [m]: of the points; largest displacements by mode and static shape, r and n_s.
   Wander(double longest, VectorXd largest_q, VectorXd largest_s);
-  void look(const BodyState& state);                           // from now on since this
-  double operator()(const BodyState& state) const;             // [m]
+  void look(const BodyState& state);                                  // from now on since this
+  double operator()(const BodyState& state) const;                    // [m]
   double static_way(const VectorXd& s, const VectorXd& from) const {  // [m] by static shapes alone
     return largest_s_.dot((s - from).cwiseAbs());
   }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cases/contract/physical_shift.h"
 #include "cases/contract/touchdown.h"
+#include "mechanics/system/static_response.h"
 #include "reference/fem/assembly.h"
 #include "reference/fem/contact_surface.h"
 #include "reference/fem/discretisation.h"
@@ -78,6 +80,7 @@ class DealiiModel final : public FullModel {
       system_.modal_damping = ratios_as_damping(system_, body, modes);
     else
       system_.modal_damping.W = MatrixXd(T.cols(), 0);
+    if (body.settled) system_.u0 = bent_by_weight(body);
   }
 
   const System& system() const override { return system_; }
@@ -103,6 +106,11 @@ class DealiiModel final : public FullModel {
   double mesh_volume() const override { return mesh_volume_; }
 
  private:
+  // K u = weight, of no rigid motion that the supports leave: what of the weight would bring such about stays.
+  VectorXd bent_by_weight(const Body& body) const {
+    const VectorXd weight = system_.F.rowwise().sum();
+    return inertia_relief(system_, shifted_factor(system_, physical_shift(body)), weight);
+  }
   void apply_loads(const Scene& scene, const Body& body, const SparseMatrix& M_full) {
     const std::optional<Drive> drive = fem::common_drive(body.supports);
     const Index n_loads = static_cast<Index>(scene.loads.size());

@@ -1,4 +1,4 @@
-#include "modal/bases/eigenmodes.h"
+#include "cases/contract/physical_shift.h"
 
 namespace mb {
 
