@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mechanics/geometry/overloaded.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 
@@ -50,7 +51,8 @@ Vector3d support_point(const Shape& shape, const Vector3d& w) {
                    return {across[0], across[1], 0.5 * c.length * side(w[2])};
                  },
                  [&](const Sphere& s) -> Vector3d { return s.radius * direction<Vector3d>(w, Vector3d::UnitZ()); },
-                 [&](const Superquadric& s) { return farthest(s, w); }},
+                 [&](const Superquadric& s) { return farthest(s, w); },
+                 [&](const TaperedSuperquadric& s) { return farthest(s, w); }},
       shape);
 }
 
@@ -75,7 +77,11 @@ double circumradius(const Shape& shape) {
   return std::visit(
       overloaded{[](const Box& b) { return 0.5 * b.size.norm(); },
                  [](const Cylinder& c) { return std::hypot(c.radius, 0.5 * c.length); },
-                 [](const Sphere& s) { return s.radius; }, [](const Superquadric& s) { return s.semi_axes.norm(); }},
+                 [](const Sphere& s) { return s.radius; }, [](const Superquadric& s) { return s.semi_axes.norm(); },
+                 [](const TaperedSuperquadric& s) {
+                   const Eigen::AlignedBox3d box = bounds(s);
+                   return box.min().cwiseAbs().cwiseMax(box.max()).norm();
+                 }},
       shape);
 }
 

@@ -19,15 +19,19 @@ const std::vector<Shape> shapes = {Box{{0.3, 0.2, 0.7}},
                                    Superquadric{{0.3, 0.1, 0.2}, 1, 1},
                                    Superquadric{{0.3, 0.1, 0.2}, 0.4, 1.5},
                                    Superquadric{{0.1, 0.1, 0.3}, 0.1, 0.1},
-                                   Superquadric{{0.2, 0.1, 0.1}, 2, 2}};
+                                   Superquadric{{0.2, 0.1, 0.1}, 2, 2},
+                                   TaperedSuperquadric{{{0.1, 0.08, 0.12}, 0.8, 0.8}, 0.6}};
 
 // The surface point on the ray through d, from the shapes' definitions.
 Vector3d on_surface(const Shape& shape, const Vector3d& d) {
+  if (const auto* tapered = std::get_if<TaperedSuperquadric>(&shape))
+    return Taper(*tapered).apply(on_surface(tapered->straight, d));
   const double level = std::visit(
       overloaded{
           [&](const Box& b) { return 2 * d.cwiseQuotient(b.size).cwiseAbs().maxCoeff(); },
           [&](const Cylinder& c) { return std::max(d.head<2>().norm() / c.radius, 2 * std::abs(d[2]) / c.length); },
-          [&](const Sphere& s) { return d.norm() / s.radius; }, [&](const Superquadric& q) { return gauge(q, d); }},
+          [&](const Sphere& s) { return d.norm() / s.radius; }, [&](const Superquadric& q) { return gauge(q, d); },
+          [](const TaperedSuperquadric&) { return 0.0; }},
       shape);
   return d / level;
 }

@@ -1,0 +1,126 @@
+#include "mechanics/geometry/tapered_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/geometry/root.h"
+#include "mechanics/geometry/superquadric_distance.h"
+#include "mechanics/geometry/tapered.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double sharpest = 1e9;      // curvature times extent above which it counts as that
+constexpr double no_pole = 4;         // semi-axis along z by those across of what stands for a superellipse
+constexpr double tolerance = 1e-15;   // of tau
+constexpr double infinite_tau = 800;  // w = 0: the widest section of the straight body
+constexpr int n_by_point = 12, n_by_slope = 6, n_nodes = n_by_point + n_by_slope;
+
+// How far a section's curve is, and how that changes along Z, times a positive factor.
+struct Section {
+  double height;      // [m] of x above it
+  double D;           // [m]
+  Eigen::Vector2d n;  // [-]
+  double slope;
+  double squared() const { return D * D + height * height; }
+};
+
+class Sections {
+ public:
+  Sections(const TaperedSuperquadric& body, const Vector3d& x, bool outside)
+      : body_(body), x_(x), taper_(body), outside_(outside) {}
+
+  Section at(int half, double tau) const {
+    const TaperedProfile p = tapered_profile(body_, half, tau);
+    const Vector3d& a = body_.straight.semi_axes;
+    const double f = std::max(p.radius, 1e-30), across = f * std::max(a[0], a[1]);
+    const Superquadric plane{{f * a[0], f * a[1], no_pole * across}, 1, body_.straight.e2};
+    const Distance d = superquadric_distance(plane, {x_[0], x_[1], 0});
+    const Eigen::Vector2d n = d.gradient.head<2>();
+    const double D = outside_ ? std::max(d.value, 0.0) : d.value, support = section_support(body_, n);
+    const double height = x_[2] + taper_.shift() - half * a[2] * p.w;
+    return {height, D, n, -half * D * support * p.slope - a[2] * height * p.weight};
+  }
+  double slope(int half, double tau) const { return at(half, tau).slope; }
+  double root(int half, double from, double to) const {
+    return root_between([&](double tau) { return slope(half, tau); }, from, to, tolerance);
+  }
+
+  // The section nearest to x outside: the only one.
+  Section nearest_outside() const {
+    const int half = slope(1, infinite_tau) < 0 ? 1 : -1;
+    return at(half, root(half, -most_tau, most_tau));
+  }
+
+  Section nearest_inside() const {
+    Section best = at(1, infinite_tau);
+    const auto consider = [&](int half, double tau) {
+      const Section here = at(half, tau);
+      if (here.squared() < best.squared()) best = here;
+    };
+    for (const int half : {-1, 1}) {
+      const std::array<double, n_nodes + 1> tau = nodes();
+      double above = slope(half, most_tau);
+      double before = most_tau;
+      for (const double next : tau) {
+        const double here = slope(half, next);
+        if (half * above < 0 && half * here >= 0) consider(half, root(half, before, next));
+        above = here, before = next;
+      }
+      consider(half, before);
+    }
+    return best;
+  }
+
+ private:
+  // From the widest section to the pole: of points at equal angles, and of normals.
+  std::array<double, n_nodes + 1> nodes() const {
+    std::array<double, n_nodes + 1> tau;
+    const double power = 2 / body_.straight.e1 - 1;
+    const auto at_equal_angles = [](int k, int n) { return std::log(std::tan(0.5 * pi * (k + 0.5) / n)); };
+    for (int k = 0; k < n_by_point; ++k) tau[static_cast<size_t>(k)] = at_equal_angles(k, n_by_point);
+    for (int k = 0; k < n_by_slope; ++k)
+      tau[static_cast<size_t>(n_by_point + k)] = std::clamp(at_equal_angles(k, n_by_slope) / power, -30.0, 30.0);
+    tau[n_nodes] = -most_tau;
+    std::sort(tau.rbegin(), tau.rend());
+    return tau;
+  }
+
+  const TaperedSuperquadric& body_;
+  const Vector3d& x_;
+  Taper taper_;
+  bool outside_;
+};
+
+bool is_outside(const TaperedSuperquadric& body, const Vector3d& x) {
+  const Taper taper(body);
+  const Vector3d X = taper.inverse(x);
+  return std::abs(X[2]) >= body.straight.semi_axes[2] || gauge(body.straight, X) >= 1;
+}
+
+}  // namespace
+
+Distance tapered_distance(const TaperedSuperquadric& body, const Vector3d& x) {
+  const bool outside = is_outside(body, x);
+  const Sections sections(body, x, outside);
+  const Section s = outside ? sections.nearest_outside() : sections.nearest_inside();
+  const Vector3d away(s.D * s.n[0], s.D * s.n[1], s.height);
+  const double d = (outside ? 1 : -1) * away.norm();
+  const TaperedBend bend = tapered_bend(body, x - away);
+  // Next to the surface rounding is all there is of x - y.
+  const double size = bounds(body).sizes().maxCoeff();
+  const Vector3d n = std::abs(d) > 1e-6 * size ? Vector3d(away / d) : bend.normal;
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 2; ++i) {
+    const double k = std::min(bend.curvatures.values[i], sharpest / size);
+    const double left = std::max(1 + k * d, k * size / sharpest);
+    const Vector3d t = bend.curvatures.directions.col(i);
+    if (k > 0) H += std::min(k / left, sharpest / size) * t * t.transpose();
+  }
+  return {d, n, H};
+}
+
+}  // namespace mb

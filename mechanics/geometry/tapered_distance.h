@@ -1,0 +1,19 @@
+// Signed distance from a tapered superquadric (tapered.h), whose section at the height Z is f(Z) times a superellipse:
+//
+//   d^2 = min over Z of  D(Z)^2 + (z - Z)^2,   D the distance of (x, y) from the section's curve in its plane
+//
+// D by superquadric_distance.h, the minimum as a root of the derivative in Z, where dD/df = -h(n), h the superellipse's
+// support function, n the direction of D (the envelope theorem). Outside, with D not below 0, the function is convex:
+// one root. Inside there may be several: between every two of 36 sections where the sign changes.
+//
+// Takes about 3e-5 s outside, 5e-4 s inside: it serves bodies, whose points are few, better than obstacles.
+#pragma once
+
+#include "mechanics/geometry/signed_distance.h"
+
+namespace mb {
+
+// x [m] in the body's frame, finite. Throws std::invalid_argument as tapered.h says.
+Distance tapered_distance(const TaperedSuperquadric& body, const Vector3d& x);
+
+}  // namespace mb
