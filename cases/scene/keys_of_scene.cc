@@ -57,7 +57,7 @@ const std::vector<KeyGroup>& scene_keys() {
          "a, b, c", ""},
         {"body.shape.exponents", "an array of 2 numbers", "[0.4, 1.4]", "", "required for a superquadric",
          "e1, e2: 0.4 is a rounded box, 1 an ellipsoid, 2 would be an octahedron", ""},
-        {"body.shape.taper", "a number", "at most 2^(e1/2) (1 - e1/2) in absolute value", "", "0",
+        {"body.shape.taper", "a number", "at most 2^(e1/2) (1 - e1/2) and 0.5 in absolute value", "", "0",
          "of a superquadric: sections at z grow by the factor 1 + taper z/c; the centroid stays at the origin", ""},
         {"body.material", "a table", "", "", "required", "linear elastic", ""},
         {"body.material.youngs_modulus", "a number", "[1, 1e13]", "Pa", "required unless `orthotropy`",

@@ -1,5 +1,6 @@
 #include "cases/scene/read_shape.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mechanics/geometry/tapered.h"
@@ -8,9 +9,7 @@ namespace mb {
 
 namespace {
 
-const Range length_range{1e-6, 1e4, "m"};     // from a grain to a mountain
-const Range rigid_exponent_range{0.1, 2};     // nearly a box to an octahedron: convex throughout
-const Range meshed_exponent_range{0.4, 1.4};  // of bodies: outside, cells of their meshes are too flat
+const Range length_range{1e-6, 1e4, "m"};  // from a grain to a mountain
 
 std::optional<std::string> read_kind(Section& section, std::vector<std::string> known) {
   const auto kind = section.choice("kind", {std::move(known), "shape kind", "shape kinds"});
@@ -18,27 +17,35 @@ std::optional<std::string> read_kind(Section& section, std::vector<std::string> 
   return kind;
 }
 
-// The largest that leaves the body convex (tapered.h), rounded down: as messages and documentation have it.
-Range taper_range(double e1) {
-  const double most = std::floor(1e3 * largest_taper(e1)) / 1e3;
+// Of superquadrics.
+struct Allowed {
+  Range exponents;
+  double taper;  // at most, in absolute value
+};
+const Allowed rigid{{0.1, 2}, 1};       // nearly a box to an octahedron: convex throughout
+const Allowed meshed{{0.4, 1.4}, 0.5};  // beyond, cells are flatter than those of coarse balls
+
+// No more than leaves the body convex (tapered.h), rounded down: messages and documentation have three digits.
+Range taper_range(const Allowed& allowed, double e1) {
+  const double most = std::min(allowed.taper, std::floor(1e3 * largest_taper(e1)) / 1e3);
   return {-most, most};
 }
 
-std::optional<Shape> read_superquadric(Section& section, const Range& exponents_in) {
+std::optional<Shape> read_superquadric(Section& section, const Allowed& allowed) {
   const auto semi_axes = section.vector("semi_axes", length_range);
-  const auto exponents = section.numbers("exponents", exponents_in, {2, 2});
+  const auto exponents = section.numbers("exponents", allowed.exponents, {2, 2});
   const bool tapered = section.has("taper");
   if (!exponents) return std::nullopt;  // its range is not known
   const double e1 = (*exponents)[0], e2 = (*exponents)[1];
-  const auto taper = tapered ? section.number("taper", taper_range(e1)) : std::optional(0.0);
+  const auto taper = tapered ? section.number("taper", taper_range(allowed, e1)) : std::optional(0.0);
   if (!semi_axes || !taper) return std::nullopt;
   const Superquadric straight{*semi_axes, e1, e2};
   if (*taper == 0) return straight;
   return TaperedSuperquadric{straight, *taper};
 }
 
-std::optional<Shape> read_sized(Section& section, const std::string& kind, const Range& exponents_in) {
-  if (kind == "superquadric") return read_superquadric(section, exponents_in);
+std::optional<Shape> read_sized(Section& section, const std::string& kind, const Allowed& allowed) {
+  if (kind == "superquadric") return read_superquadric(section, allowed);
   if (kind == "box") {
     const auto size = section.vector("size", length_range);
     return size ? std::optional<Shape>(Box{*size}) : std::nullopt;
@@ -54,7 +61,7 @@ std::optional<Shape> read_sized(Section& section, const std::string& kind, const
 std::optional<Shape> read_body_shape(Section section) {
   const auto kind = read_kind(section, {"box", "cylinder", "sphere", "superquadric"});
   if (!kind) return std::nullopt;
-  auto shape = read_sized(section, *kind, meshed_exponent_range);
+  auto shape = read_sized(section, *kind, meshed);
   section.finish();
   return shape;
 }
@@ -63,7 +70,7 @@ std::optional<std::variant<HalfSpace, Shape>> read_obstacle_shape(Section sectio
   const auto kind = read_kind(section, {"half-space", "box", "cylinder", "sphere", "superquadric"});
   if (!kind) return std::nullopt;
   const bool is_half_space = *kind == "half-space";
-  const auto shape = is_half_space ? std::nullopt : read_sized(section, *kind, rigid_exponent_range);
+  const auto shape = is_half_space ? std::nullopt : read_sized(section, *kind, rigid);
   section.finish();
   if (is_half_space) return HalfSpace{};
   if (!shape) return std::nullopt;
