@@ -165,12 +165,12 @@ TaperedBend tapered_bend(const TaperedSuperquadric& body, const Vector3d& x) {
   }
   const Vector3d gradient = B.transpose() * N.gradient;
   const double slope = gradient.norm();
-  if (!(slope > 0)) return {Vector3d::UnitZ(), {Eigen::Vector2d::Zero(), tangents(Vector3d::UnitZ())}};
+  if (!(slope > 0)) return {0, Vector3d::UnitZ(), {Eigen::Vector2d::Zero(), tangents(Vector3d::UnitZ())}};
   const Eigen::Matrix<double, 3, 2> T = tangents(gradient / slope);
   const Eigen::Matrix2d bending = T.transpose() * H * T / slope;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spectrum;
   spectrum.computeDirect(0.5 * (bending + bending.transpose()));
-  return {gradient / slope, {spectrum.eigenvalues().cwiseMax(0), T * spectrum.eigenvectors()}};
+  return {slope, gradient / slope, {spectrum.eigenvalues().cwiseMax(0), T * spectrum.eigenvectors()}};
 }
 
 }  // namespace mb

@@ -61,8 +61,9 @@ Vector3d farthest(const TaperedSuperquadric& body, const Vector3d& w);
 double moment(const TaperedSuperquadric& body, int i, int j, int k);
 SurfaceMoments surface_moments(const TaperedSuperquadric& body);
 
-// Of the surface at its point x [m], or next to it: outward unit normal, and principal curvatures.
+// Of the surface N(X(x)) = const through x [m]: outward unit normal, principal curvatures and |dN/dx| [1/m].
 struct TaperedBend {
+  double slope;
   Vector3d normal;
   PrincipalCurvatures curvatures;
 };

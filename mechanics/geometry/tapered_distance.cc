@@ -95,24 +95,41 @@ class Sections {
   bool outside_;
 };
 
-bool is_outside(const TaperedSuperquadric& body, const Vector3d& x) {
-  const Taper taper(body);
-  const Vector3d X = taper.inverse(x);
-  return std::abs(X[2]) >= body.straight.semi_axes[2] || gauge(body.straight, X) >= 1;
+// N - 1 of the straight body before the taper; beyond its ends positive, too.
+double level(const TaperedSuperquadric& body, const Vector3d& x) {
+  const Vector3d X = Taper(body).inverse(x);
+  const double beyond = std::abs(X[2]) / body.straight.semi_axes[2] - 1;
+  return std::max(gauge(body.straight, X) - 1, beyond);
+}
+
+// Of points on the surface but for rounding, which meshes and their loads ask for: y = x - d n, d to first order.
+constexpr double on_surface = 1e-12;
+
+struct Nearest {
+  double d;
+  Vector3d n;  // from the foot, as far as that is known
+};
+Nearest nearest(const TaperedSuperquadric& body, const Vector3d& x) {
+  const double N = level(body, x);
+  const bool outside = N >= 0;
+  const Sections sections(body, x, outside);
+  const Section s = outside ? sections.nearest_outside() : sections.nearest_inside();
+  const Vector3d away(s.D * s.n[0], s.D * s.n[1], s.height);
+  const double d = (outside ? 1 : -1) * away.norm();
+  return {d, d != 0 ? Vector3d(away / d) : Vector3d::Zero()};
 }
 
 }  // namespace
 
 Distance tapered_distance(const TaperedSuperquadric& body, const Vector3d& x) {
-  const bool outside = is_outside(body, x);
-  const Sections sections(body, x, outside);
-  const Section s = outside ? sections.nearest_outside() : sections.nearest_inside();
-  const Vector3d away(s.D * s.n[0], s.D * s.n[1], s.height);
-  const double d = (outside ? 1 : -1) * away.norm();
-  const TaperedBend bend = tapered_bend(body, x - away);
+  const double size = bounds(body).sizes().maxCoeff(), N = level(body, x);
+  const TaperedBend here = tapered_bend(body, x);
+  const bool on = std::abs(N) < on_surface && here.slope > 0;
+  const Nearest found = on ? Nearest{N / here.slope, here.normal} : nearest(body, x);
+  const double d = found.d;
+  const TaperedBend bend = on ? here : tapered_bend(body, x - d * found.n);
   // Next to the surface rounding is all there is of x - y.
-  const double size = bounds(body).sizes().maxCoeff();
-  const Vector3d n = std::abs(d) > 1e-6 * size ? Vector3d(away / d) : bend.normal;
+  const Vector3d n = std::abs(d) > 1e-6 * size ? found.n : bend.normal;
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   for (int i = 0; i < 2; ++i) {
     const double k = std::min(bend.curvatures.values[i], sharpest / size);
