@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mechanics/geometry/dual_norm.h"
 #include "mechanics/geometry/overloaded.h"
 #include "mechanics/geometry/tapered.h"
 
@@ -10,16 +11,6 @@ namespace mb {
 namespace {
 
 double side(double w) { return w < 0 ? -1 : 1; }
-
-// Gradient of the norm |(a, b)| with exponent 2/(2 - e), of a, b >= 0 that are not both 0: with r = b/a <= 1,
-// m = 2/(2 - e):   (1, r^(m-1)) / (1 + r^m)^(1/p),   p = 2/e the conjugate. e = 2 is the maximum norm.
-Eigen::Vector2d dual_gradient(double a, double b, double e) {
-  if (a < b) return dual_gradient(b, a, e).reverse();
-  if (e == 2) return {1, 0};
-  const double r = b / a, m = 2 / (2 - e);
-  const double slope = r > 0 ? std::pow(r, m - 1) : 0;  // m > 1
-  return Eigen::Vector2d(1, slope) / std::pow(1 + slope * r, e / 2);
-}
 
 // w / |w| where squares would over- or underflow, too; a of w = 0.
 template <class Vector>

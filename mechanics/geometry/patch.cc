@@ -64,6 +64,7 @@ DiscRule graded_disc_rule(const Shape& shape, const Patch& patch) {
   std::vector<Index> met;
   for (Index i = 0; i < rule.weights.size(); ++i)
     if (weight(patch, rule.points.col(i)) > 0) met.push_back(i);
+  if (met.empty()) throw std::invalid_argument("nothing of the disc lies on face '" + patch.face + "'");
   VectorXd weights = rule.weights(met);
   for (Index i = 0; i < weights.size(); ++i) weights[i] *= weight(patch, rule.points.col(met[static_cast<size_t>(i)]));
   return {rule.points(Eigen::all, met), weights, rule.normals(Eigen::all, met)};

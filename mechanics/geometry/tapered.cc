@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/geometry/dual_norm.h"
 #include "mechanics/geometry/root.h"
 #include "mechanics/geometry/superquadric_chart.h"
 #include "mechanics/geometry/superquadric_valid.h"
@@ -44,21 +45,6 @@ Eigen::Vector2d of_slope(const TaperedSuperquadric& body, double sigma) {
   const int half = sigma < body.taper ? 1 : -1;
   const TaperedProfile p = tapered_profile(body, half, tau_of_slope(body, half, half * sigma));
   return {p.radius, half * p.w};
-}
-
-// Gradient of the norm of the section's support, and its value, of a, b >= 0: exponents 2/(2 - e).
-struct SectionSupport {
-  double value;
-  Eigen::Vector2d at;
-};
-SectionSupport section_support(double a, double b, double e) {
-  const double larger = std::max(a, b);
-  if (!(larger > 0)) return {0, {1, 0}};
-  if (e == 2) return {larger, a >= b ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1)};
-  const double m = 2 / (2 - e), r = std::min(a, b) / larger, slope = r > 0 ? std::pow(r, m - 1) : 0;
-  const double scale = std::pow(1 + slope * r, -e / 2);
-  const Eigen::Vector2d at(scale, scale * slope);
-  return {larger * (at[0] + at[1] * r), a >= b ? at : Eigen::Vector2d(at.reverse())};
 }
 
 }  // namespace
@@ -106,8 +92,8 @@ TaperedProfile tapered_profile(const TaperedSuperquadric& body, int half, double
 }
 
 double section_support(const TaperedSuperquadric& body, const Eigen::Vector2d& n) {
-  const Vector3d& a = body.straight.semi_axes;
-  return section_support(a[0] * std::abs(n[0]), a[1] * std::abs(n[1]), body.straight.e2).value;
+  const Eigen::Vector2d scaled = body.straight.semi_axes.head<2>().cwiseProduct(n.cwiseAbs());
+  return scaled.maxCoeff() > 0 ? scaled.dot(dual_gradient(scaled[0], scaled[1], body.straight.e2)) : 0;
 }
 
 Eigen::AlignedBox3d bounds(const TaperedSuperquadric& body) {
@@ -125,11 +111,12 @@ Vector3d farthest(const TaperedSuperquadric& body, const Vector3d& w) {
   const Vector3d scaled = a.cwiseProduct(w.cwiseAbs());
   const double largest = scaled.maxCoeff();
   if (!(largest > 0)) return {0, 0, a[2] - taper.shift()};
-  const SectionSupport across = section_support(scaled[0] / largest, scaled[1] / largest, straight.e2);
-  const double up = side(w[2]) * scaled[2] / largest;
-  const Eigen::Vector2d at = across.value > 1e-30 ? of_slope(body, -up / across.value) : Eigen::Vector2d(0, side(w[2]));
-  return {side(w[0]) * at[0] * a[0] * across.at[0], side(w[1]) * at[0] * a[1] * across.at[1],
-          at[1] * a[2] - taper.shift()};
+  const Eigen::Vector2d u = scaled.head<2>() / largest;
+  const Eigen::Vector2d across =
+      u.maxCoeff() > 0 ? dual_gradient(u[0], u[1], straight.e2) : Eigen::Vector2d(Eigen::Vector2d::UnitX());
+  const double out = across.dot(u), up = side(w[2]) * scaled[2] / largest;
+  const Eigen::Vector2d at = out > 1e-30 ? of_slope(body, -up / out) : Eigen::Vector2d(0, side(w[2]));
+  return {side(w[0]) * at[0] * a[0] * across[0], side(w[1]) * at[0] * a[1] * across[1], at[1] * a[2] - taper.shift()};
 }
 
 // x^i y^j z^k = c^(i+j) X^i Y^j (Z - z0)^k, and volume elements grow by c^2: sums of moments of the straight body.

@@ -161,7 +161,7 @@ TEST(Tapered, MassPropertiesAreThoseOfItsMoments) {
 TEST(Tapered, SupportPointsLieFarthestAndOnTheSurface) {
   Random random(3);
   for (const TaperedSuperquadric& body : pears) {
-    const Matrix3Xd on = surface_points(body, extent(body) / 30);
+    const Matrix3Xd on = surface_points(body, extent(body) / 15);
     for (int trial = 0; trial < 100; ++trial) {
       const Vector3d w = random.vector(), x = support_point(body, w);
       EXPECT_NEAR(level(body, x), 0, 1e-13);  // powers lose a few digits
@@ -186,7 +186,7 @@ TEST(TaperedDistance, IsToTheNearestPoint) {
   Random random(4);
   for (const TaperedSuperquadric& body : pears) {
     const double a = extent(body);
-    const Matrix3Xd on = surface_points(body, a / 40);
+    const Matrix3Xd on = surface_points(body, a / 20);
     for (int trial = 0; trial < 60; ++trial) {
       const Vector3d x = (trial % 2 ? 1.0 : 0.4) * bounds(body).max().cwiseProduct(1.5 * random.vector());
       const Distance d = signed_distance(body, x);
