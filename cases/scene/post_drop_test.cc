@@ -51,7 +51,7 @@ TEST(PostDrop, each_falls_a_metre_and_is_turned_about_x) {
     const Vector3d lever = scene.bodies[0].pose.orientation * down.meetings[0].X;
     EXPECT_GT(lever.y(), 0.027) << name;
     EXPECT_LT(std::abs(scene.bodies[0].pose.position.y() + lever.y()), 0.04) << name;
-    EXPECT_NEAR(lever.x(), 0, 1e-9) << name;
+    EXPECT_NEAR(lever.x(), 0, 1e-6) << name;  // flat across: found to the root of rounding
   }
 }
 

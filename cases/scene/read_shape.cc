@@ -1,6 +1,7 @@
 #include "cases/scene/read_shape.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "mechanics/geometry/tapered.h"
@@ -19,29 +20,29 @@ std::optional<std::string> read_kind(Section& section, std::vector<std::string> 
 
 // Of superquadrics.
 struct Allowed {
-  Range exponents;
-  double taper;  // at most, in absolute value
+  Range exponents, taper;
 };
-const Allowed rigid{{0.1, 2}, 1};       // nearly a box to an octahedron: convex throughout
-const Allowed meshed{{0.4, 1.4}, 0.5};  // beyond, cells are flatter than those of coarse balls
+const Allowed rigid{{0.1, 2}, {-1, 1}};         // nearly a box to an octahedron: convex throughout
+const Allowed meshed{{0.4, 1.4}, {-0.45, 0.45}};  // beyond, cells are flatter than those of coarse balls
 
-// No more than leaves the body convex (tapered.h), rounded down: messages and documentation have three digits.
-Range taper_range(const Allowed& allowed, double e1) {
-  const double most = std::min(allowed.taper, std::floor(1e3 * largest_taper(e1)) / 1e3);
-  return {-most, most};
+// Contact is found of convex shapes (tapered.h).
+bool is_convex(Section& section, double e1, double taper) {
+  const double most = largest_taper(e1);
+  if (std::abs(taper) <= most) return true;
+  section.error("taper", fmt::format("'taper' is {}: with exponent e1 = {} a body is convex up to {:.3f}", taper, e1,
+                                     std::floor(1e3 * most) / 1e3));
+  return false;
 }
 
 std::optional<Shape> read_superquadric(Section& section, const Allowed& allowed) {
   const auto semi_axes = section.vector("semi_axes", length_range);
   const auto exponents = section.numbers("exponents", allowed.exponents, {2, 2});
-  const bool tapered = section.has("taper");
-  if (!exponents) return std::nullopt;  // its range is not known
-  const double e1 = (*exponents)[0], e2 = (*exponents)[1];
-  const auto taper = tapered ? section.number("taper", taper_range(allowed, e1)) : std::optional(0.0);
-  if (!semi_axes || !taper) return std::nullopt;
-  const Superquadric straight{*semi_axes, e1, e2};
-  if (*taper == 0) return straight;
-  return TaperedSuperquadric{straight, *taper};
+  const double taper = section.number("taper", allowed.taper, 0);
+  if (!semi_axes || !exponents) return std::nullopt;
+  const Superquadric straight{*semi_axes, (*exponents)[0], (*exponents)[1]};
+  if (taper == 0) return straight;
+  if (!is_convex(section, straight.e1, taper)) return std::nullopt;
+  return TaperedSuperquadric{straight, taper};
 }
 
 std::optional<Shape> read_sized(Section& section, const std::string& kind, const Allowed& allowed) {

@@ -9,7 +9,7 @@
 
 namespace mb {
 
-// Superquadrics with exponents in [0.4, 1.4] and tapers up to 0.5 alone: they are meshed.
+// Superquadrics with exponents in [0.4, 1.4] and tapers up to 0.45 alone: they are meshed.
 std::optional<Shape> read_body_shape(Section section);
 
 // Obstacles may also be half-spaces, which fill z <= 0 of their frame.

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "mechanics/geometry/overloaded.h"
-#include "mechanics/geometry/superquadric.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 namespace {
