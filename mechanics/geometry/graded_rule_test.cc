@@ -116,10 +116,12 @@ TEST(GradedRuleVerification, AreasOfSharpSuperquadrics) {
 TEST(GradedRuleVerification, NormalsCloseTheSurface) {
   for (const Shape& shape : shapes) {
     const GradedRule rule = graded_rule(shape, {}, {0.04, 0.04, 0, 8});
-    const bool sharp = std::holds_alternative<Superquadric>(shape);  // some of them are, as above
+    const bool tapered = std::holds_alternative<TaperedSuperquadric>(shape);
+    const bool sharp = std::holds_alternative<Superquadric>(shape) || tapered;  // some of them are, as above
     const double enclosed = (rule.points.cwiseProduct(rule.normals)).colwise().sum().dot(rule.weights) / 3;
     EXPECT_NEAR(enclosed, volume(shape), (sharp ? 2e-5 : 1e-12) * volume(shape));
-    EXPECT_LT((rule.normals * rule.weights).norm(), 1e-13 * rule.weights.sum());  // symmetric cells: rounding alone
+    // Symmetric cells: rounding alone; of tapered ones the rule's error, 2e-9 here.
+    EXPECT_LT((rule.normals * rule.weights).norm(), (tapered ? 1e-8 : 1e-13) * rule.weights.sum());
     EXPECT_LT((rule.normals.colwise().norm().array() - 1).abs().maxCoeff(), 1e-15 * 4);
     EXPECT_GT(rule.weights.minCoeff(), 0);
   }
