@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
+#include <vector>
 
 #include "mechanics/geometry/root.h"
 #include "mechanics/geometry/superquadric_distance.h"
@@ -17,15 +18,17 @@ constexpr double sharpest = 1e9;      // curvature times extent above which it c
 constexpr double no_pole = 4;         // semi-axis along z by those across of what stands for a superellipse
 constexpr double tolerance = 1e-15;   // of tau
 constexpr double infinite_tau = 800;  // w = 0: the widest section of the straight body
+constexpr int most_halvings = 4;      // between two nodes
 constexpr int n_by_point = 12, n_by_slope = 6, n_nodes = n_by_point + n_by_slope;
 
 // How far a section's curve is, and how that changes along Z, times a positive factor.
 struct Section {
+  double tau, f, w;   // of the profile
   double height;      // [m] of x above it
   double D;           // [m]
   Eigen::Vector2d n;  // [-]
   double slope;
-  double squared() const { return D * D + height * height; }
+  double distance() const { return std::hypot(D, height); }
 };
 
 class Sections {
@@ -42,7 +45,7 @@ class Sections {
     const Eigen::Vector2d n = d.gradient.head<2>();
     const double D = outside_ ? std::max(d.value, 0.0) : d.value, support = section_support(body_, n);
     const double height = x_[2] + taper_.shift() - half * a[2] * p.w;
-    return {height, D, n, -half * D * support * p.slope - a[2] * height * p.weight};
+    return {tau, p.radius, p.w, height, D, n, -half * D * support * p.slope - a[2] * height * p.weight};
   }
   double slope(int half, double tau) const { return at(half, tau).slope; }
   double root(int half, double from, double to) const {
@@ -56,26 +59,36 @@ class Sections {
   }
 
   Section nearest_inside() const {
-    Section best = at(1, infinite_tau);
-    const auto consider = [&](int half, double tau) {
-      const Section here = at(half, tau);
-      if (here.squared() < best.squared()) best = here;
-    };
+    std::vector<std::pair<int, Section>> looks;
     for (const int half : {-1, 1}) {
-      const std::array<double, n_nodes + 1> tau = nodes();
-      double above = slope(half, most_tau);
-      double before = most_tau;
-      for (const double next : tau) {
-        const double here = slope(half, next);
-        if (half * above < 0 && half * here >= 0) consider(half, root(half, before, next));
-        above = here, before = next;
-      }
-      consider(half, before);
+      looks.emplace_back(half, at(half, most_tau));
+      for (const double tau : nodes()) looks.emplace_back(half, at(half, tau));
     }
+    Section best = looks.front().second;
+    for (const auto& [half, look] : looks) best = nearer(best, look);
+    for (size_t i = 0; i + 1 < looks.size(); ++i)
+      if (looks[i].first == looks[i + 1].first)
+        best = nearer_between(looks[i].first, looks[i].second, looks[i + 1].second, most_halvings, best);
     return best;
   }
 
  private:
+  // Between two sections the nearest points move by no more than the sections do: on the way from one to the other x
+  // comes no nearer than half of what both distances leave of that. Such parts as may hold a nearer one are halved.
+  Section nearer_between(int half, const Section& a, const Section& b, int n_halvings, Section best) const {
+    const Vector3d& axes = body_.straight.semi_axes;
+    const double way = std::hypot((a.f - b.f) * axes.head<2>().norm(), (a.w - b.w) * axes[2]);
+    if (0.5 * (a.distance() + b.distance() - way) > best.distance()) return best;
+    if (n_halvings == 0) {
+      const bool between = half * a.slope < 0 && half * b.slope >= 0;
+      return between ? nearer(best, at(half, root(half, a.tau, b.tau))) : best;
+    }
+    const Section middle = at(half, 0.5 * (a.tau + b.tau));
+    best = nearer_between(half, a, middle, n_halvings - 1, nearer(best, middle));
+    return nearer_between(half, middle, b, n_halvings - 1, best);
+  }
+  static const Section& nearer(const Section& a, const Section& b) { return b.distance() < a.distance() ? b : a; }
+
   // From the widest section to the pole: of points at equal angles, and of normals.
   std::array<double, n_nodes + 1> nodes() const {
     std::array<double, n_nodes + 1> tau;
