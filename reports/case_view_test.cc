@@ -59,6 +59,11 @@ TEST(ContactLineVerification, HasSpeedAndTimeOfFreeFallAndTheStiffnessOfItsRadiu
   EXPECT_THAT(text, HasSubstr("expected radius a = " + format_number(radius) + " m"));
 }
 
+TEST(CaseWords, SayHowABodyIsTapered) {
+  EXPECT_EQ(describe(Shape(TaperedSuperquadric{{{0.1, 0.2, 0.3}, 1, 0.5}, 0.4})),
+            "superquadric of semi-axes 0.1, 0.2, 0.3 m and exponents 1, 0.5, tapered by 0.4");
+}
+
 TEST(ContactLine, SaysWhatIsGiven) {
   Scene scene = drop();
   scene.bodies[0].twist = {{0, 0, -2}, {0, 12, 0}};

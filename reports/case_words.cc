@@ -30,6 +30,9 @@ struct Words {
            format_setting(body.semi_axes.y()) + ", " + in(body.semi_axes.z(), "m") + " and exponents " +
            format_setting(body.e1) + ", " + format_setting(body.e2);
   }
+  std::string operator()(const TaperedSuperquadric& body) const {
+    return (*this)(body.straight) + ", tapered by " + format_setting(body.taper);
+  }
 };
 
 }  // namespace

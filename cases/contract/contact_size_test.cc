@@ -6,6 +6,7 @@
 
 #include "mechanics/contact/hertz.h"
 #include "mechanics/contact/hertz_motion.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 namespace {
@@ -59,6 +60,9 @@ TEST(ContactSize, CurvaturesAreThoseOfTheGap) {
               1e-9);
   // Of an ellipsoid's end k_i = c / a_i^2.
   EXPECT_NEAR(radius(egg, below(0.05), {}, floor_at), 0.02 * 0.03 / 0.05, 1e-6);
+  // Of a pear's slender end the section is c = 1 - k times the straight one's: k_i = a_3 / (c a_i)^2.
+  const TaperedSuperquadric pear{egg, 0.4};
+  EXPECT_NEAR(radius(pear, below(0.05 + Taper(pear).shift()), {}, floor_at), 0.6 * 0.6 * 0.02 * 0.03 / 0.05, 1e-6);
 }
 
 // A face meets all at once: a bar's impact, F = rho c v A, T = 2 l/c.

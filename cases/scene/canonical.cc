@@ -30,6 +30,11 @@ std::string canonical(const Shape& shape) {
                             [](const Sphere& sphere) { return number(sphere.radius); },
                             [](const Superquadric& body) {
                               return fmt::format("{} {} {}", vector(body.semi_axes), number(body.e1), number(body.e2));
+                            },
+                            [](const TaperedSuperquadric& body) {
+                              const Superquadric& straight = body.straight;
+                              return fmt::format("{} {} {} {}", vector(straight.semi_axes), number(straight.e1),
+                                                 number(straight.e2), number(body.taper));
                             }},
                  shape);
   return fmt::format("shape {} {}\n", kind_name(shape), numbers);

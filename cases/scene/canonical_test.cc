@@ -118,6 +118,10 @@ TEST(Canonical, tells_superquadrics_apart) {
   EXPECT_NE(of("semi_axes = [1, 2, 4], exponents = [0.5, 1]"), original);
   EXPECT_NE(of("semi_axes = [1, 2, 3], exponents = [0.6, 1]"), original);
   EXPECT_NE(of("semi_axes = [1, 2, 3], exponents = [0.5, 1.1]"), original);
+  EXPECT_EQ(of("semi_axes = [1, 2, 3], exponents = [0.5, 1], taper = 0"), original);
+  const std::string tapered = of("semi_axes = [1, 2, 3], exponents = [0.5, 1], taper = 0.3");
+  EXPECT_NE(tapered, original);
+  EXPECT_NE(of("semi_axes = [1, 2, 3], exponents = [0.5, 1], taper = -0.3"), tapered);
 }
 
 }  // namespace

@@ -95,6 +95,13 @@ TEST(ReadObstacle, takes_every_shape) {
   EXPECT_EQ(stone.semi_axes, Vector3d(1, 2, 3));
   EXPECT_EQ(stone.e1, 0.1);
   EXPECT_EQ(stone.e2, 2);
+  const auto pear = std::get<TaperedSuperquadric>(
+      shape("kind = \"superquadric\", semi_axes = [1, 2, 3], exponents = [1, 2], taper = -0.707"));
+  EXPECT_EQ(pear.straight.semi_axes, Vector3d(1, 2, 3));
+  EXPECT_EQ(pear.taper, -0.707);
+  const std::string hollow = "kind = \"superquadric\", semi_axes = [1, 2, 3], exponents = [1, 2], taper = 0.708";
+  EXPECT_TRUE(says(with(contact_text(), floor_shape, "shape = { " + hollow + " }"),
+                   "'taper' is 0.708: with exponent e1 = 1 a body is convex up to 0.707"));
 }
 
 TEST(ReadObstacle, rounding_leaves_something_of_every_face) {

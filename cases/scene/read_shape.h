@@ -9,9 +9,10 @@
 
 namespace mb {
 
+// Superquadrics with exponents in [0.4, 1.4] and tapers up to 0.45 alone: they are meshed.
 std::optional<Shape> read_body_shape(Section section);
 
-// Obstacles may be superquadrics, and half-spaces, which fill z <= 0 of their frame.
+// Obstacles may also be half-spaces, which fill z <= 0 of their frame.
 std::optional<std::variant<HalfSpace, Shape>> read_obstacle_shape(Section section);
 
 }  // namespace mb

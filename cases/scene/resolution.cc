@@ -11,12 +11,12 @@
 namespace mb {
 
 const char* kind_name(const Shape& shape) {
-  static constexpr const char* names[] = {"box", "cylinder", "sphere", "superquadric"};
+  static constexpr const char* names[] = {"box", "cylinder", "sphere", "superquadric", "tapered superquadric"};
   return names[shape.index()];
 }
 
 std::size_t n_cell_entries(const Shape& shape, Theory theory) {
-  if (theory == Theory::solid) return 3 - shape.index();
+  if (theory == Theory::solid) return shape.index() < 2 ? 3 - shape.index() : 1;
   return theory == Theory::euler_bernoulli ? 1 : 2;
 }
 
@@ -30,11 +30,10 @@ double even_n_dofs(const Shape& shape, const Resolution& resolution) {
                                      const double disc = m == 0 ? (p + 1) * (p + 1) : (m + 1) * (m + 1) + 4 * m * m;
                                      return disc * (nodes(1) + 1);
                                    },
-                                   [&](const Sphere&) {
+                                   [&](const auto&) {
                                      const double m = nodes(0);
                                      return (m + 1) * (m + 1) * (m + 1) + m * (6 * m * m + 2);
-                                   },
-                                   [](const Superquadric&) { return 0.0; }},
+                                   }},
                         shape);
 }
 
@@ -52,12 +51,9 @@ Cells even_cells(const Shape& shape, const std::vector<int>& cells) {
                    const double disc = n(0) == 0 ? 1 : 5 * n(0) * n(0);
                    return {disc * n(1), std::hypot(std::sqrt(2 * pi / disc) * cylinder.radius, cylinder.length / n(1))};
                  },
-                 [&](const Sphere& sphere) -> Cells {
+                 [&](const auto& ball) -> Cells {
                    const double all = 7 * n(0) * n(0) * n(0);
-                   return {all, std::sqrt(3.0) * std::cbrt(volume(sphere) / all)};
-                 },
-                 [](const Superquadric&) -> Cells {
-                   return {0, 0};
+                   return {all, std::sqrt(3.0) * std::cbrt(volume(ball) / all)};
                  }},
       shape);
 }
@@ -106,17 +102,13 @@ double n_elastic(const Shape& shape, const Resolution& resolution, Theory theory
 bool check_mesh(const Shape& shape, const Resolution& resolution, const Position& where, Findings& findings,
                 Theory theory) {
   if (theory != Theory::solid) return check_half_waves(resolution, theory, where, findings);
-  if (std::holds_alternative<Superquadric>(shape)) {
-    findings.error(where, "a superquadric has no mesh");
-    return false;
-  }
   const std::size_t n = n_cell_entries(shape);
   if (resolution.cells.size() != n) {
     const char* const means[] = {"along x, y, z", "edge splits of the disc (0: one block), layers along z",
                                  "edge splits of its blocks"};
     findings.error(
         where, fmt::format("'cells' of a {} has {} entries: must be {}", kind_name(shape), resolution.cells.size(), n),
-        fmt::format("cells of a {}: {}", kind_name(shape), means[shape.index()]));
+        fmt::format("cells of a {}: {}", kind_name(shape), means[std::min<std::size_t>(shape.index(), 2)]));
     return false;
   }
   const bool one_block = std::holds_alternative<Cylinder>(shape) && resolution.cells[0] == 0;

@@ -1,8 +1,8 @@
 // The size of a mesh before it is made. With m = degree * splits, a layer of the cylinder's disc (one square, four
 // blocks around it) has (m + 1)^2 + 4 m^2 nodes; the ball (one cube, six blocks around it) has
-// (m + 1)^3 + m (6 m^2 + 2), shells of the cube's surface nodes. A cylinder of 0 splits is one block across: (p + 1)^2
-// nodes a layer, p the degree. Each grading about one point of a plane surface halves the cells whose centres lie in
-// half a ball of 1.1 of their diameters d,
+// (m + 1)^3 + m (6 m^2 + 2), shells of the cube's surface nodes; superquadrics likewise. A cylinder of 0 splits is one
+// block across: (p + 1)^2 nodes a layer, p the degree. Each grading about one point of a plane surface halves the cells
+// whose centres lie in half a ball of 1.1 of their diameters d,
 //
 //   2/3 pi (1.1 d)^3 / (volume of a cell),   for cubes 14.5,
 //
@@ -21,9 +21,9 @@ namespace mb {
 double n_dofs(const Shape& shape, const Resolution& resolution, Theory theory = Theory::solid);
 // At most: all but the rigid modes that a body without supports has.
 double n_elastic(const Shape& shape, const Resolution& resolution, Theory theory = Theory::solid);
-// 3, 2, 1 for box, cylinder, sphere; 0: no mesh. 1 for beams, 2 for plates.
+// 3, 2, 1 for box, cylinder, sphere and superquadrics. 1 for beams, 2 for plates.
 std::size_t n_cell_entries(const Shape& shape, Theory theory = Theory::solid);
-const char* kind_name(const Shape& shape);  // "box", "cylinder", "sphere", "superquadric"
+const char* kind_name(const Shape& shape);  // "box", ..., "tapered superquadric"
 
 inline constexpr double most_dofs = 2e6;        // [-] assembled K and M of more do not fit one machine
 inline constexpr double most_half_waves = 1e4;  // [-] of beams and plates: they are seen at every point

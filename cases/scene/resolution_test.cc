@@ -19,6 +19,10 @@ TEST(MeshSize, counts_the_nodes_of_each_shape) {
   EXPECT_EQ(n_dofs(cylinder, {2, {0, 2}}), 3 * 9 * 5);
   // One ball of seven bricks has 16 corners.
   EXPECT_EQ(n_dofs(sphere, {1, {1}}), 48);
+  // Superquadrics have the ball's blocks.
+  const Superquadric stone{{1, 2, 3}, 0.5, 1.2};
+  EXPECT_EQ(n_dofs(stone, {3, {4}}), n_dofs(sphere, {3, {4}}));
+  EXPECT_EQ(n_dofs(TaperedSuperquadric{stone, 0.3}, {3, {4}}), n_dofs(sphere, {3, {4}}));
 }
 
 // A box of cubes: each grading adds 7/8 of the children of 1.5 x 14.5 cells, p^3 nodes each. Against real meshes:
@@ -57,11 +61,13 @@ TEST(MeshSize, refuses_meshes_that_cannot_be_made) {
   EXPECT_FALSE(check_mesh(cylinder, {4, {4}}, {}, findings));
   EXPECT_FALSE(check_mesh(sphere, {1, {6}}, {}, findings));
   EXPECT_FALSE(check_mesh(sphere, {4, {256}}, {}, findings));
+  EXPECT_TRUE(check_mesh(Superquadric{{1, 2, 3}, 0.5, 1.2}, {4, {4}}, {}, findings));
+  EXPECT_FALSE(check_mesh(Superquadric{{1, 2, 3}, 0.5, 1.2}, {4, {4, 4}}, {}, findings));
   EXPECT_FALSE(check_mesh(cylinder, {2, {1, 0}}, {}, findings));
   EXPECT_FALSE(check_mesh(Box{{1, 1, 1}}, {2, {0, 1, 1}}, {}, findings));
   EXPECT_TRUE(check_mesh(Box{{1, 1, 0.01}}, {4, {8, 8, 1}, 4}, {}, findings));  // flat cells: many lie near
   EXPECT_FALSE(check_mesh(Box{{1, 1, 0.01}}, {4, {8, 8, 1}, 12}, {}, findings));
-  EXPECT_EQ(findings.found().size(), 7u);
+  EXPECT_EQ(findings.found().size(), 8u);
 }
 
 TEST(Ranges, know_open_ends_and_no_nan) {

@@ -6,6 +6,7 @@
 
 #include "mechanics/geometry/overloaded.h"
 #include "mechanics/geometry/signed_distance.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 
@@ -36,7 +37,8 @@ Vector3d half_extents(const Shape& shape) {
   return std::visit(overloaded{[](const Box& b) { return Vector3d(b.size / 2); },
                                [](const Cylinder& c) { return Vector3d(c.radius, c.radius, c.length / 2); },
                                [](const Sphere& s) { return Vector3d(s.radius, s.radius, s.radius); },
-                               [](const Superquadric& s) { return s.semi_axes; }},
+                               [](const Superquadric& s) { return s.semi_axes; },
+                               [](const TaperedSuperquadric& s) { return Vector3d(bounds(s).sizes() / 2); }},
                     shape);
 }
 

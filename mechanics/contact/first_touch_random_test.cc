@@ -32,8 +32,12 @@ class Random {
         return Cylinder{size() / 2, size()};
       case 2:
         return Sphere{size() / 2};
-      default:
+      case 3:
         return Superquadric{{size() / 2, size() / 2, size() / 2}, uniform(0.1, 2), uniform(0.1, 2)};
+      default: {
+        const double e1 = uniform(0.1, 1.6), most = largest_taper(e1);
+        return TaperedSuperquadric{{{size() / 2, size() / 2, size() / 2}, e1, uniform(0.1, 2)}, uniform(-most, most)};
+      }
     }
   }
   RigidSurface obstacle() {
@@ -87,7 +91,7 @@ TEST(FirstTouchVerification, BruteForceFindsNoEarlierTouch) {
   int hits = 0, none = 0;
   for (unsigned seed = 0; seed < 120; ++seed) {
     Random random(seed);
-    const Pair pair{random.shape(4), random.obstacle()};
+    const Pair pair{random.shape(5), random.obstacle()};
     const TestMotion m = random.motion(pair);
     const auto touch = first_touch(pair.body, m, pair.obstacle, {0, 1});
     if (touch && touch->kind == FirstTouch::overlap) {
@@ -116,7 +120,7 @@ TEST(FirstTouchVerification, BruteForceFindsNoEarlierTouch) {
 TEST(FirstTouchCertificate, WhatIsProvedHolds) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     Random random(seed + 1000);
-    const Pair pair{random.shape(4), random.obstacle()};
+    const Pair pair{random.shape(5), random.obstacle()};
     const TestMotion m = random.motion(pair);
     const TouchSearch search{0, 1};
     const auto touch = first_touch(pair.body, m, pair.obstacle, search);
@@ -169,7 +173,8 @@ TEST(FirstTouchCertificate, IsSharpForABallisticBody) {
 
 TEST(FirstTouchSurface, NeighboursShareTheirPoints) {
   for (const Shape& shape : {Shape(Box{{0.1, 0.2, 0.3}}), Shape(Cylinder{0.05, 0.2}), Shape(Sphere{0.1}),
-                             Shape(Superquadric{{0.1, 0.05, 0.2}, 0.5, 1.7})}) {
+                             Shape(Superquadric{{0.1, 0.05, 0.2}, 0.5, 1.7}),
+                             Shape(TaperedSuperquadric{{{0.1, 0.05, 0.2}, 0.5, 1.7}, 0.7})}) {
     const TouchSurface surface(shape);
     for (int k = 0; k < surface.n_patches(); ++k)
       for (int edge = 0; edge < 4; ++edge)
@@ -211,16 +216,19 @@ TEST(FirstTouchSurface, ServesManyFlights) {
 }
 
 TEST(FirstTouchSurface, LocatesThePointsOfSuperquadrics) {
-  const TouchSurface surface(Superquadric{{0.1, 0.05, 0.2}, 0.5, 1.9});
-  for (int k = 0; k < surface.n_patches(); ++k)
-    for (const double s : {1e-9, 0.3, 0.999})
-      for (const double t : {1e-6, 0.5, 0.9}) {
-        const auto p = surface.locate(surface.patch(k).at(s, t).x);
-        ASSERT_TRUE(p);
-        EXPECT_EQ(p->patch, k);
-        EXPECT_NEAR(p->s, s, 1e-14);
-        EXPECT_NEAR(p->t, t, 1e-14);
-      }
+  const Superquadric straight{{0.1, 0.05, 0.2}, 0.5, 1.9};
+  for (const Shape& shape : {Shape(straight), Shape(TaperedSuperquadric{straight, -0.7})}) {
+    const TouchSurface surface(shape);
+    for (int k = 0; k < surface.n_patches(); ++k)
+      for (const double s : {1e-9, 0.3, 0.999})
+        for (const double t : {1e-6, 0.5, 0.9}) {
+          const auto p = surface.locate(surface.patch(k).at(s, t).x);
+          ASSERT_TRUE(p);
+          EXPECT_EQ(p->patch, k);
+          EXPECT_NEAR(p->s, s, 1e-14);
+          EXPECT_NEAR(p->t, t, 1e-14);
+        }
+  }
   EXPECT_FALSE(TouchSurface(Sphere{1}).locate({0, 0, 1}));
 }
 

@@ -2,23 +2,15 @@
 
 #include <cmath>
 
+#include "mechanics/geometry/dual_norm.h"
 #include "mechanics/geometry/overloaded.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 
 namespace {
 
 double side(double w) { return w < 0 ? -1 : 1; }
-
-// Gradient of the norm |(a, b)| with exponent 2/(2 - e), of a, b >= 0 that are not both 0: with r = b/a <= 1,
-// m = 2/(2 - e):   (1, r^(m-1)) / (1 + r^m)^(1/p),   p = 2/e the conjugate. e = 2 is the maximum norm.
-Eigen::Vector2d dual_gradient(double a, double b, double e) {
-  if (a < b) return dual_gradient(b, a, e).reverse();
-  if (e == 2) return {1, 0};
-  const double r = b / a, m = 2 / (2 - e);
-  const double slope = r > 0 ? std::pow(r, m - 1) : 0;  // m > 1
-  return Eigen::Vector2d(1, slope) / std::pow(1 + slope * r, e / 2);
-}
 
 // w / |w| where squares would over- or underflow, too; a of w = 0.
 template <class Vector>
@@ -50,7 +42,8 @@ Vector3d support_point(const Shape& shape, const Vector3d& w) {
                    return {across[0], across[1], 0.5 * c.length * side(w[2])};
                  },
                  [&](const Sphere& s) -> Vector3d { return s.radius * direction<Vector3d>(w, Vector3d::UnitZ()); },
-                 [&](const Superquadric& s) { return farthest(s, w); }},
+                 [&](const Superquadric& s) { return farthest(s, w); },
+                 [&](const TaperedSuperquadric& s) { return farthest(s, w); }},
       shape);
 }
 
@@ -75,7 +68,11 @@ double circumradius(const Shape& shape) {
   return std::visit(
       overloaded{[](const Box& b) { return 0.5 * b.size.norm(); },
                  [](const Cylinder& c) { return std::hypot(c.radius, 0.5 * c.length); },
-                 [](const Sphere& s) { return s.radius; }, [](const Superquadric& s) { return s.semi_axes.norm(); }},
+                 [](const Sphere& s) { return s.radius; }, [](const Superquadric& s) { return s.semi_axes.norm(); },
+                 [](const TaperedSuperquadric& s) {
+                   const Eigen::AlignedBox3d box = bounds(s);
+                   return box.min().cwiseAbs().cwiseMax(box.max()).norm();
+                 }},
       shape);
 }
 

@@ -14,9 +14,26 @@ PatchPoint on_edge(int patch, int edge, double p) {
   return edge < 2 ? PatchPoint{patch, end, p} : PatchPoint{patch, p, end};
 }
 
+// The patch's point on the ray.
+PatchPoint on_ray(const SurfacePatch& patch, int k, const Vector3d& ray) {
+  PatchPoint p{k, 0.5, 0.5};
+  for (int i = 0; i < 20; ++i) {
+    const SurfacePoint here = patch.at(p.s, p.t);
+    Eigen::Matrix<double, 3, 2> across;
+    across << here.by_s - ray * ray.dot(here.by_s), here.by_t - ray * ray.dot(here.by_t);
+    const Vector3d off = here.x - ray * ray.dot(here.x);
+    const Eigen::Vector2d step = (across.transpose() * across).ldlt().solve(across.transpose() * off);
+    const PatchPoint before = p;
+    p.s = std::clamp(p.s - step[0], 0.0, 1.0), p.t = std::clamp(p.t - step[1], 0.0, 1.0);
+    if (std::abs(p.s - before.s) + std::abs(p.t - before.t) < 1e-16) break;
+  }
+  return p;
+}
+
 }  // namespace
 
 TouchSurface::TouchSurface(const Shape& shape) : shape_(shape), patches_(surface_patches(shape)) {
+  if (const auto* tapered = std::get_if<TaperedSuperquadric>(&shape)) straight_ = surface_patches(tapered->straight);
   find_neighbours();
   for (int k = 0; k < n_patches(); ++k) cells_.push_back(make(k, 0, {}));
 }
@@ -89,31 +106,23 @@ TouchSurface::Across TouchSurface::across(const PatchPoint& point, int edge) con
 
 // Its 24 patches are rays' images of quarters of the box's faces: in the middle of each, and at no other's inner
 // points, the largest coordinate (by the semi-axes) and the signs of the others are those of X. On one patch rays
-// depend smoothly on the parameters, also where the surface is sharp: Newton's method on x across X.
-std::optional<PatchPoint> TouchSurface::locate(const Vector3d& X) const {
-  const auto* body = std::get_if<Superquadric>(&shape_);
+// depend smoothly on the parameters, also where the surface is sharp: Newton's method on x across X. A taper takes
+// parameters and points along.
+std::optional<PatchPoint> TouchSurface::locate(const Vector3d& tapered_X) const {
+  const auto* tapered = std::get_if<TaperedSuperquadric>(&shape_);
+  const auto* body = tapered ? &tapered->straight : std::get_if<Superquadric>(&shape_);
   if (!body) return std::nullopt;
-  const Vector3d u = X.cwiseQuotient(body->semi_axes);
+  const Vector3d X = tapered ? Taper(*tapered).inverse(tapered_X) : tapered_X;
+  const Vector3d u = X.cwiseQuotient(body->semi_axes), ray = X.normalized();
   Index face;
   u.cwiseAbs().maxCoeff(&face);
   for (int k = 0; k < n_patches(); ++k) {
-    const Vector3d middle = cell(k).X.cwiseQuotient(body->semi_axes);
+    const SurfacePatch& rays = tapered ? straight_[static_cast<size_t>(k)] : patch(k);
+    const Vector3d middle = rays.at(0.5, 0.5).x.cwiseQuotient(body->semi_axes);
     Index its_face;
     middle.cwiseAbs().maxCoeff(&its_face);
     if (its_face != face || ((middle.array() < 0) != (u.array() < 0)).any()) continue;
-    PatchPoint p = cell(k).middle;
-    const Vector3d ray = X.normalized();
-    for (int i = 0; i < 20; ++i) {
-      const SurfacePoint here = patch(k).at(p.s, p.t);
-      Eigen::Matrix<double, 3, 2> across;
-      across << here.by_s - ray * ray.dot(here.by_s), here.by_t - ray * ray.dot(here.by_t);
-      const Vector3d off = here.x - ray * ray.dot(here.x);
-      const Eigen::Vector2d step = (across.transpose() * across).ldlt().solve(across.transpose() * off);
-      const PatchPoint before = p;
-      p.s = std::clamp(p.s - step[0], 0.0, 1.0), p.t = std::clamp(p.t - step[1], 0.0, 1.0);
-      if (std::abs(p.s - before.s) + std::abs(p.t - before.t) < 1e-16) break;
-    }
-    return p;
+    return on_ray(rays, k, ray);
   }
   return std::nullopt;
 }

@@ -43,7 +43,7 @@ class TouchSurface {
   };
   Across across(const PatchPoint& point, int edge) const;
 
-  // The patch point of a superquadric's surface point X [m]; nothing of another shape.
+  // The patch point of a superquadric's surface point X [m], tapered or not; nothing of another shape.
   std::optional<PatchPoint> locate(const Vector3d& X) const;
 
   // Takes back what has grown, where that is more than a hundred thousand cells.
@@ -62,7 +62,7 @@ class TouchSurface {
   SurfaceCell make(int patch, int depth, const ParameterCell& cell) const;
 
   Shape shape_;
-  std::vector<SurfacePatch> patches_;
+  std::vector<SurfacePatch> patches_, straight_;  // of a tapered superquadric also those before the taper
   std::vector<std::array<Neighbour, 4>> neighbours_;
   std::vector<SurfaceCell> cells_;
 };

@@ -4,8 +4,15 @@
 #include <stdexcept>
 
 #include "mechanics/geometry/gauss.h"
+#include "mechanics/geometry/graded_rule.h"
 
 namespace mb {
+
+double weight(const Patch& patch, const Vector3d& x) {
+  if (!patch.disc) return 1;
+  const double s = (x - patch.disc->centre).squaredNorm() / (patch.disc->radius * patch.disc->radius);
+  return s < 1 ? (1 - s) * (1 - s) : 0;
+}
 
 namespace {
 
@@ -50,16 +57,24 @@ FacePoint face_point(const Shape& shape, const Patch& patch, double rho, double 
   return on_plane(c, plane_normal(shape, patch.face), rho, theta);
 }
 
-}  // namespace
-
-double weight(const Patch& patch, const Vector3d& x) {
-  if (!patch.disc) return 1;
-  const double s = (x - patch.disc->centre).squaredNorm() / (patch.disc->radius * patch.disc->radius);
-  return s < 1 ? (1 - s) * (1 - s) : 0;
+// Where a surface has no polar coordinates of its own: cells of a sixth of the radius, 3 x 3 points each.
+DiscRule graded_disc_rule(const Shape& shape, const Patch& patch) {
+  const double a = patch.disc->radius;
+  const GradedRule rule = graded_rule(shape, {patch.disc->centre}, {a / 6, a / 6, 0, 3}, a);
+  std::vector<Index> met;
+  for (Index i = 0; i < rule.weights.size(); ++i)
+    if (weight(patch, rule.points.col(i)) > 0) met.push_back(i);
+  if (met.empty()) throw std::invalid_argument("nothing of the disc lies on face '" + patch.face + "'");
+  VectorXd weights = rule.weights(met);
+  for (Index i = 0; i < weights.size(); ++i) weights[i] *= weight(patch, rule.points.col(met[static_cast<size_t>(i)]));
+  return {rule.points(Eigen::all, met), weights, rule.normals(Eigen::all, met)};
 }
+
+}  // namespace
 
 DiscRule disc_rule(const Shape& shape, const Patch& patch) {
   if (!patch.disc) throw std::invalid_argument("disc_rule: the patch is a whole face");
+  if (patch.face == "surface" && !std::holds_alternative<Sphere>(shape)) return graded_disc_rule(shape, patch);
   const double a = patch.disc->radius;
   const Rule radial = gauss_legendre(n_rho);
   DiscRule rule{Matrix3Xd(3, n_rho * n_theta), VectorXd(n_rho * n_theta), Matrix3Xd(3, n_rho * n_theta)};

@@ -145,7 +145,8 @@ Quadrature volume_quadrature(const Shape& shape) {
   return std::visit(
       overloaded{[](const Box& b) { return box_rule(b.size, n_volume); },
                  [](const Cylinder& c) { return cylinder_volume(c); }, [](const Sphere& s) { return ball_volume(s); },
-                 [](const Superquadric& s) { return superquadric_volume_quadrature(s); }},
+                 [](const Superquadric& s) { return superquadric_volume_quadrature(s); },
+                 [](const TaperedSuperquadric& s) { return superquadric_volume_quadrature(s); }},
       shape);
 }
 
@@ -156,7 +157,8 @@ Quadrature surface_quadrature(const Shape& shape) {
                    return sphere_rule(VectorXd::Constant(1, s.radius),
                                       VectorXd::Constant(1, 4 * pi * s.radius * s.radius), 10, 20);
                  },
-                 [](const Superquadric& s) { return superquadric_surface_quadrature(s); }},
+                 [](const Superquadric& s) { return superquadric_surface_quadrature(s); },
+                 [](const TaperedSuperquadric& s) { return superquadric_surface_quadrature(s); }},
       shape);
 }
 

@@ -7,6 +7,7 @@
 #include "mechanics/geometry/overloaded.h"
 #include "mechanics/geometry/signed_distance.h"
 #include "mechanics/geometry/superquadric.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 
@@ -14,7 +15,8 @@ double volume(const Shape& shape) {
   return std::visit(overloaded{[](const Box& b) { return b.size.prod(); },
                                [](const Cylinder& c) { return pi * c.radius * c.radius * c.length; },
                                [](const Sphere& s) { return 4.0 / 3.0 * pi * s.radius * s.radius * s.radius; },
-                               [](const Superquadric& s) { return moment(s, 0, 0, 0); }},
+                               [](const Superquadric& s) { return moment(s, 0, 0, 0); },
+                               [](const TaperedSuperquadric& s) { return moment(s, 0, 0, 0); }},
                     shape);
 }
 
@@ -22,7 +24,8 @@ double extent(const Shape& shape) {
   return std::visit(overloaded{[](const Box& b) { return b.size.maxCoeff(); },
                                [](const Cylinder& c) { return std::max(2 * c.radius, c.length); },
                                [](const Sphere& s) { return 2 * s.radius; },
-                               [](const Superquadric& s) { return 2 * s.semi_axes.maxCoeff(); }},
+                               [](const Superquadric& s) { return 2 * s.semi_axes.maxCoeff(); },
+                               [](const TaperedSuperquadric& s) { return bounds(s).sizes().maxCoeff(); }},
                     shape);
 }
 
@@ -33,8 +36,7 @@ std::vector<std::string> face_names(const Shape& shape) {
                                [](const Cylinder&) -> std::vector<std::string> {
                                  return {"side", "z-min", "z-max"};
                                },
-                               [](const Sphere&) -> std::vector<std::string> { return {"surface"}; },
-                               [](const Superquadric&) -> std::vector<std::string> { return {"surface"}; }},
+                               [](const auto&) -> std::vector<std::string> { return {"surface"}; }},
                     shape);
 }
 

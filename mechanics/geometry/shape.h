@@ -1,4 +1,4 @@
-// Analytic shapes in their own frame: centred at the origin, cylinder along z. Lengths in [m].
+// Analytic shapes in their own frame: the centroid at the origin, cylinder along z. Lengths in [m].
 //
 //   integral over the shape of f  ~  sum_i w_i f(x_i)
 //
@@ -27,13 +27,17 @@ struct Superquadric {
   Vector3d semi_axes; /* [m] a1, a2, a3, each > 0 */
   double e1, e2;      /* [-] each in [0.1, 2]: of the profiles along z, of the sections across (superquadric.h) */
 };
-using Shape = std::variant<Box, Cylinder, Sphere, Superquadric>;
+struct TaperedSuperquadric {
+  Superquadric straight;
+  double taper; /* [-] sections grow by the factor 1 + taper z/a3 along z; at most 2^(e1/2) (1 - e1/2) (tapered.h) */
+};
+using Shape = std::variant<Box, Cylinder, Sphere, Superquadric, TaperedSuperquadric>;
 
 double volume(const Shape& shape);  // [m^3]
 double extent(const Shape& shape);  // [m] largest edge of the bounding box: the size that deviations are divided by
 
 // Names by which case files refer to parts of the boundary: box x-min x-max y-min y-max z-min z-max;
-// cylinder side z-min z-max; sphere and superquadric surface.
+// cylinder side z-min z-max; sphere and superquadrics surface.
 std::vector<std::string> face_names(const Shape& shape);
 
 // Outward normal of a plane face. Throws std::invalid_argument for a curved or unknown face.

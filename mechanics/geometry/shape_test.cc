@@ -4,7 +4,7 @@
 
 #include "mechanics/geometry/gauss.h"
 #include "mechanics/geometry/patch.h"
-#include "mechanics/geometry/superquadric.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 namespace {
@@ -149,6 +149,22 @@ TEST(DiscRule, SideOfACylinder) {
   const double a = 0.01, expected = pi * a * a / 3 * (1 + a * a / (64 * R * R));
   EXPECT_NEAR(area(a), expected, 1e-4 * expected);
   EXPECT_GT(area(a), pi * a * a / 3);
+}
+
+// Of a ball by another door: the weighted area is pi a^2/3 to what cells of a/6 leave of a weight with a bend at its
+// rim.
+TEST(DiscRule, OfSuperquadricsIsGraded) {
+  const double R = 0.07, a = 0.02;
+  const Patch patch{"surface", Disc{{0, 0, -R}, a}};
+  const DiscRule ball = disc_rule(Superquadric{{R, R, R}, 1, 1}, patch);
+  EXPECT_NEAR(ball.weights.sum(), pi * a * a / 3, 2e-4 * a * a);
+  EXPECT_LT((ball.normals - ball.points / R).cwiseAbs().maxCoeff(), 1e-13);
+  const TaperedSuperquadric pear{{{R, R, R}, 1, 1}, 0.4};
+  const Vector3d end(0, 0, -R - Taper(pear).shift());
+  const DiscRule rule = disc_rule(pear, {"surface", Disc{end, a}});
+  EXPECT_NEAR(rule.weights.sum(), pi * a * a / 3, 0.05 * a * a);  // curvature: of order (a/R)^2
+  for (Index i = 0; i < rule.weights.size(); ++i) EXPECT_LT((rule.points.col(i) - end).norm(), a);
+  EXPECT_THROW(disc_rule(pear, {"surface", Disc{{5, 0, 0}, 0.03}}), std::invalid_argument);
 }
 
 TEST(DiscRule, WhatHangsOverTheRimIsLeftOut) {

@@ -7,6 +7,7 @@
 
 #include "mechanics/geometry/overloaded.h"
 #include "mechanics/geometry/superquadric_distance.h"
+#include "mechanics/geometry/tapered_distance.h"
 
 namespace mb {
 
@@ -101,6 +102,8 @@ double value(const Sphere& s, const Vector3d& x) { return length(x) - s.radius; 
 
 Distance distance(const Superquadric& s, const Vector3d& x) { return superquadric_distance(s, x); }
 double value(const Superquadric& s, const Vector3d& x) { return superquadric_distance_value(s, x); }
+Distance distance(const TaperedSuperquadric& s, const Vector3d& x) { return tapered_distance(s, x); }
+double value(const TaperedSuperquadric& s, const Vector3d& x) { return tapered_distance(s, x).value; }
 
 void require_valid(const Shape& shape) {
   std::visit(overloaded{[](const Box& b) {
@@ -111,7 +114,7 @@ void require_valid(const Shape& shape) {
                           require_positive(c.length, "a cylinder's length");
                         },
                         [](const Sphere& s) { require_positive(s.radius, "a sphere's radius"); },
-                        [](const Superquadric&) {}},  // sees to itself
+                        [](const auto&) {}},  // superquadrics see to it themselves
              shape);
 }
 

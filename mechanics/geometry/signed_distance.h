@@ -9,7 +9,8 @@
 // coordinate 0 the positive side, on a cylinder's axis +x, its side before its ends, in a sphere's centre +z.
 // Curvatures above 1e9 / extent(shape) count as that: Hessians are finite on edges, too.
 //
-// Box, cylinder and sphere: closed form, to rounding. Superquadric: superquadric_distance.h.
+// Box, cylinder and sphere: closed form, to rounding. Superquadrics: superquadric_distance.h,
+// tapered_distance.h.
 // An x that is not finite makes all NaN; a size that is not positive throws std::invalid_argument.
 #pragma once
 

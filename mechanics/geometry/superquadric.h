@@ -50,6 +50,7 @@ double moment(const Superquadric& body, int i, int j, int k);
 struct SurfaceMoments {
   double area;      // [m^2]
   Vector3d second;  // [m^4] of x^2, y^2, z^2
+  double first;     // [m^3] of z; 0 unless tapered
 };
 SurfaceMoments surface_moments(const Superquadric& body);
 

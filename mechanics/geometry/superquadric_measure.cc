@@ -8,6 +8,7 @@
 
 #include "mechanics/geometry/superquadric.h"
 #include "mechanics/geometry/superquadric_valid.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 
@@ -61,26 +62,35 @@ double moment(const Superquadric& body, int i, int j, int k) {
   return 8 * raised(a[0], i + 1) * raised(a[1], j + 1) * raised(a[2], k + 1) * beta(m / p, n / p) * along / (p * q * q);
 }
 
-SurfaceMoments surface_moments(const Superquadric& body) {
-  require_valid(body);
+SurfaceMoments surface_moments(const Superquadric& body) { return surface_moments(TaperedSuperquadric{body, 0}); }
+
+SurfaceMoments surface_moments(const TaperedSuperquadric& tapered) {
+  const Taper taper(tapered);
+  const Superquadric& body = tapered.straight;
   const auto nodes = double_exponential(1.0 / 12);
   const Vector3d& a = body.semi_axes;
   const Vector3d faces(a[1] * a[2], a[2] * a[0], a[0] * a[1]);  // a1 a2 a3 grad N = faces * (a grad N): no overflow
-  double area = 0;
+  const std::vector<double> halves = tapered.taper == 0 ? std::vector{1.0} : std::vector{1.0, -1.0};
+  const double alike = 8 / static_cast<double>(halves.size());
+  double area = 0, first = 0;
   Vector3d second = Vector3d::Zero();  // by a_i^2
   for (const auto& s : nodes)
     for (const auto& t : nodes)
-      for (int axis = 0; axis < 3; ++axis) {
-        Vector3d u = Vector3d::Ones();
-        u[(axis + 1) % 3] = s.x;
-        u[(axis + 2) % 3] = t.x;
-        const GaugeDerivatives d = gauge_derivatives(body, a.cwiseProduct(u));
-        const double element = faces.cwiseProduct(a.cwiseProduct(d.gradient)).norm();
-        const double weight = 8 * s.w * t.w * element / (d.value * d.value * d.value);
-        area += weight;
-        second += weight * (u / d.value).cwiseAbs2();
-      }
-  return {area, second.cwiseProduct(a.cwiseAbs2())};
+      for (int axis = 0; axis < 3; ++axis)
+        for (const double half : halves) {
+          Vector3d u = Vector3d::Ones();
+          u[(axis + 1) % 3] = s.x;
+          u[(axis + 2) % 3] = t.x;
+          u[2] *= half;
+          const GaugeDerivatives d = gauge_derivatives(body, a.cwiseProduct(u));
+          const Vector3d X = a.cwiseProduct(u / d.value), x = taper.apply(X);
+          const double element = taper.area(X, faces.cwiseProduct(a.cwiseProduct(d.gradient))).norm();
+          const double weight = alike * s.w * t.w * element / (d.value * d.value * d.value);
+          area += weight;
+          first += halves.size() > 1 ? weight * x[2] : 0;
+          second += weight * x.cwiseQuotient(a).cwiseAbs2();
+        }
+  return {area, second.cwiseProduct(a.cwiseAbs2()), first};
 }
 
 }  // namespace mb

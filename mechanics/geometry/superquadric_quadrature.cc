@@ -1,9 +1,11 @@
 #include "mechanics/geometry/superquadric_quadrature.h"
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "mechanics/geometry/gauss.h"
-#include "mechanics/geometry/superquadric.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 
@@ -46,42 +48,83 @@ VectorXd fitted(const VectorXd& w, const MatrixXd& F, const VectorXd& moments) {
   return moments[0] / changed.sum() * changed;
 }
 
+TaperedSuperquadric of_unit_size(const TaperedSuperquadric& body) {
+  return {{Vector3d::Ones(), body.straight.e1, body.straight.e2}, body.taper};
+}
+
+// Moments of that degree and less that are not 0 by symmetry.
+VectorXd fitted_to_degree(int degree, const TaperedSuperquadric& unit, const Matrix3Xd& u, const VectorXd& w) {
+  const int step = unit.taper == 0 ? 2 : 1;  // odd ones along z
+  std::vector<std::array<int, 3>> powers;
+  for (int i = 0; i <= degree; i += 2)
+    for (int j = 0; i + j <= degree; j += 2)
+      for (int k = 0; i + j + k <= degree; k += step) powers.push_back({i, j, k});
+  MatrixXd F(w.size(), std::ssize(powers));
+  VectorXd moments(F.cols());
+  for (Index column = 0; column < F.cols(); ++column) {
+    const auto& [i, j, k] = powers[static_cast<size_t>(column)];
+    F.col(column) = u.row(0).array().pow(i) * u.row(1).array().pow(j) * u.row(2).array().pow(k);
+    moments[column] = moment(unit, i, j, k);
+  }
+  return fitted(w, F, moments);
+}
+
 }  // namespace
 
 Quadrature superquadric_volume_quadrature(const Superquadric& body) {
-  const Cones outer = cones(body, 2);
+  return superquadric_volume_quadrature(TaperedSuperquadric{body, 0});
+}
+Quadrature superquadric_surface_quadrature(const Superquadric& body) {
+  return superquadric_surface_quadrature(TaperedSuperquadric{body, 0});
+}
+
+Quadrature superquadric_volume_quadrature(const TaperedSuperquadric& body) {
+  const TaperedSuperquadric unit = of_unit_size(body);
+  const Taper taper(unit);
+  const Cones outer = cones(body.straight, 2);
   const Rule radial = gauss_legendre(3);
   const Index n = outer.volume.size();
   Matrix3Xd u(3, 3 * n);
   VectorXd w(3 * n);
-  for (int i = 0; i < 3; ++i) {
-    u.middleCols(i * n, n) = std::cbrt(radial.x[i]) * outer.u;
-    w.segment(i * n, n) = radial.w[i] * outer.volume;
-  }
-  const Superquadric of_unit_size{Vector3d::Ones(), body.e1, body.e2};
-  MatrixXd F(3 * n, 10);
-  VectorXd moments(10);
-  int column = 0;
-  for (int i = 0; i <= 4; i += 2)
-    for (int j = 0; i + j <= 4; j += 2)
-      for (int k = 0; i + j + k <= 4; k += 2, ++column) {
-        F.col(column) = u.row(0).array().pow(i) * u.row(1).array().pow(j) * u.row(2).array().pow(k);
-        moments[column] = moment(of_unit_size, i, j, k);
-      }
-  return {body.semi_axes.asDiagonal() * u, body.semi_axes.prod() * fitted(w, F, moments)};
+  for (int i = 0; i < 3; ++i)
+    for (Index j = 0; j < n; ++j) {
+      const Vector3d U = std::cbrt(radial.x[i]) * outer.u.col(j);
+      const double c = taper.factor(U[2]);
+      u.col(i * n + j) = taper.apply(U);
+      w[i * n + j] = radial.w[i] * outer.volume[j] * c * c;
+    }
+  const Vector3d& a = body.straight.semi_axes;
+  VectorXd weights = fitted_to_degree(5, unit, u, w);
+  if (!(weights.minCoeff() > 0)) weights = fitted_to_degree(3, unit, u, w);
+  return {a.asDiagonal() * u, a.prod() * weights};
 }
 
-Quadrature superquadric_surface_quadrature(const Superquadric& body) {
-  const Cones outer = cones(body, 3);
+Quadrature superquadric_surface_quadrature(const TaperedSuperquadric& body) {
+  const Superquadric& straight = body.straight;
+  const Vector3d& a = straight.semi_axes;
+  const Taper taper(body);
+  const Cones outer = cones(straight, 3);
+  const Index n = outer.area.size();
+  Matrix3Xd x(3, n);
+  VectorXd area = outer.area;
+  for (Index i = 0; i < n; ++i) {
+    const Vector3d X = a.cwiseProduct(outer.u.col(i)), normal = outward_normal(straight, X);
+    x.col(i) = taper.apply(X);
+    if (body.taper != 0) area[i] *= taper.area(X, normal).norm();
+  }
   const SurfaceMoments known = surface_moments(body);
-  MatrixXd F(outer.area.size(), 4);
-  F << VectorXd::Ones(outer.area.size()), outer.u.cwiseAbs2().transpose();
-  Eigen::Vector4d moments;
-  moments << known.area, known.second.cwiseQuotient(body.semi_axes.cwiseAbs2());
-  const VectorXd weights = fitted(outer.area, F, moments);
-  const Matrix3Xd points = body.semi_axes.asDiagonal() * outer.u;
-  if (weights.minCoeff() > 0) return {points, weights};
-  return {points, known.area / outer.area.sum() * outer.area};
+  const Matrix3Xd u = a.cwiseInverse().asDiagonal() * x;
+  MatrixXd F(n, body.taper == 0 ? 4 : 5);
+  VectorXd moments(F.cols());
+  F.leftCols(4) << VectorXd::Ones(n), u.cwiseAbs2().transpose();
+  moments.head(4) << known.area, known.second.cwiseQuotient(a.cwiseAbs2());
+  if (body.taper != 0) {
+    F.col(4) = u.row(2);
+    moments[4] = known.first / a[2];
+  }
+  const VectorXd weights = fitted(area, F, moments);
+  if (weights.minCoeff() > 0) return {x, weights};
+  return {x, known.area / area.sum() * area};
 }
 
 }  // namespace mb

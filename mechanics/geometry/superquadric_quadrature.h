@@ -7,6 +7,9 @@
 //
 //   volume    all polynomials up to degree 5 (moment())     surface   up to degree 3 (surface_moments())
 //
+// Of tapered bodies, whose points and elements go through the taper, on the surface up to degree 2; in the volume up to
+// degree 3 where 5 asks for a negative weight, as the largest tapers of flat bodies do.
+//
 // Weights stay positive: no case was found among random exponents and semi-axes up to 400 : 1. Should second moments
 // ask for a negative weight on the surface, it keeps the exact area alone.
 #pragma once
@@ -15,7 +18,9 @@
 
 namespace mb {
 
-Quadrature superquadric_volume_quadrature(const Superquadric& body);   // 288 points
+Quadrature superquadric_volume_quadrature(const Superquadric& body);  // 288 points
+Quadrature superquadric_volume_quadrature(const TaperedSuperquadric& body);
+Quadrature superquadric_surface_quadrature(const TaperedSuperquadric& body);
 Quadrature superquadric_surface_quadrature(const Superquadric& body);  // 216 points
 
 }  // namespace mb

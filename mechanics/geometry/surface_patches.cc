@@ -92,7 +92,11 @@ SurfacePoint point(const SurfacePatch::Radial& radial, double s, double t) {
   const SurfacePoint u = on_box(radial, s, t);
   const Gauge g = gauge_of(radial, u.x);
   const Vector3d x = u.x / g.value;
-  return {x, (u.by_s - x * g.gradient.dot(u.by_s)) / g.value, (u.by_t - x * g.gradient.dot(u.by_t)) / g.value};
+  const Vector3d by_s = (u.by_s - x * g.gradient.dot(u.by_s)) / g.value;
+  const Vector3d by_t = (u.by_t - x * g.gradient.dot(u.by_t)) / g.value;
+  if (!radial.taper) return {x, by_s, by_t};
+  const Eigen::Matrix3d F = radial.taper->gradient(x);
+  return {radial.taper->apply(x), F * by_s, F * by_t};
 }
 
 using Corners = std::array<Vector3d, 4>;
@@ -130,16 +134,32 @@ double reach(const SurfacePatch::EndBlock& end, const ParameterCell& cell, const
 // The body is convex: along each ray of the cell the surface lies between the triangles of the corners' points and any
 // plane that supports the body. Both are met by the rays in the convex hull of four points, so one of these is the
 // farthest. Planes: the box's face, and the tangent plane at x, n . y = 1 with n = grad g, if all the rays meet it.
-double reach(const SurfacePatch::Radial& radial, const ParameterCell& cell, const Vector3d& x) {
+// length(y - x) [m], a norm.
+template <class Norm>
+double straight_reach(const SurfacePatch::Radial& radial, const ParameterCell& cell, const Vector3d& x,
+                      const Norm& length) {
   const Corners box = at_corners([&](double s, double t) -> Vector3d { return on_box(radial, s, t).x; }, cell);
   const Vector3d n = gauge_of(radial, x).gradient;
-  double inner = 0, outer = 0;
+  double inner = 0, outer = 0, of_box = 0;
   for (const Vector3d& u : box) {
-    inner = std::max(inner, (u / gauge_value(radial, u) - x).norm());
+    inner = std::max(inner, length(u / gauge_value(radial, u) - x));
     const double height = n.dot(u);
-    outer = std::max(outer, height > 0 ? (u / height - x).norm() : std::numeric_limits<double>::infinity());
+    outer = std::max(outer, height > 0 ? length(u / height - x) : std::numeric_limits<double>::infinity());
+    of_box = std::max(of_box, length(u - x));
   }
-  return std::max(inner, std::min(outer, farthest(box, x)));
+  return std::max(inner, std::min(outer, of_box));
+}
+
+// A taper takes y - x to F (y - x) + k/a3 (y_z - x_z) (y - x across z), F its gradient at x: of the linear part the
+// same points are the farthest, the other is at most |k|/2a3 |y - x|^2.
+double reach(const SurfacePatch::Radial& radial, const ParameterCell& cell, const Vector3d& x) {
+  const auto norm = [](const Vector3d& d) { return d.norm(); };
+  if (!radial.taper) return straight_reach(radial, cell, x, norm);
+  const Vector3d X = radial.taper->inverse(x);
+  const Eigen::Matrix3d F = radial.taper->gradient(X);
+  const double r = straight_reach(radial, cell, X, norm);
+  return straight_reach(radial, cell, X, [&](const Vector3d& d) { return (F * d).norm(); }) +
+         0.5 * std::abs(radial.taper->rate()) * r * r;
 }
 
 // Squares of lengths stay within the range of doubles.
@@ -183,21 +203,24 @@ std::vector<SurfacePatch> patches(const Sphere& sphere) {
   std::vector<SurfacePatch> list;
   list.reserve(6);
   for (int face = 0; face < 6; ++face)
-    list.emplace_back(SurfacePatch::Radial{sphere, sphere.radius * face_axes(face), {}});
+    list.emplace_back(SurfacePatch::Radial{sphere, sphere.radius * face_axes(face), {}, {}});
   return list;
 }
 
-std::vector<SurfacePatch> patches(const Superquadric& body) {
+std::vector<SurfacePatch> patches(const Superquadric& body, const std::optional<Taper>& taper = {}) {
   for (int i = 0; i < 3; ++i) require_length(body.semi_axes[i], "a semi-axis of the superquadric");
   gauge(body, body.semi_axes);  // throws where the exponents are out of range
   std::vector<SurfacePatch> list;
   for (int face = 0; face < 6; ++face) {
     const Eigen::Matrix3d axes = body.semi_axes.asDiagonal() * face_axes(face);
     for (const double s : {0.0, 0.5})
-      for (const double t : {0.0, 0.5}) list.emplace_back(SurfacePatch::Radial{body, axes, {s, s + 0.5, t, t + 0.5}});
+      for (const double t : {0.0, 0.5})
+        list.emplace_back(SurfacePatch::Radial{body, axes, {s, s + 0.5, t, t + 0.5}, taper});
   }
   return list;
 }
+
+std::vector<SurfacePatch> patches(const TaperedSuperquadric& body) { return patches(body.straight, Taper(body)); }
 
 }  // namespace
 

@@ -12,14 +12,17 @@
 //   superquadric  likewise from the circumscribed box, each face in its 4 quarters, so that what may be sharp (e > 1:
 //   the
 //             planes through the centre; e < 1: over the box's edges) lies on edges of the 24 patches
+//   tapered superquadric  these, through the taper (tapered.h)
 //
 // Neighbouring patches share whole edges, and there the same parameter (or one less it): grids of them fit.
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "mechanics/geometry/shape.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 
@@ -52,8 +55,9 @@ class SurfacePatch {
   // x = u / g(u),   u = axes (tan a, tan b, 1),   a = pi/4 (2 S - 1), b = pi/4 (2 T - 1), (S, T) across the range.
   struct Radial {
     std::variant<Sphere, Superquadric> body;
-    Eigen::Matrix3d axes; /* [m] columns right-handed: the half axes of the circumscribed box */
-    ParameterCell range;  /* the part of the box's face */
+    Eigen::Matrix3d axes;       /* [m] columns right-handed: the half axes of the circumscribed box */
+    ParameterCell range;        /* the part of the box's face */
+    std::optional<Taper> taper; /* of the body: x goes on through it */
   };
   using Kind = std::variant<Rectangle, Side, EndBlock, Radial>;
 

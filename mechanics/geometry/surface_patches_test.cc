@@ -6,6 +6,7 @@
 #include <random>
 
 #include "mechanics/geometry/overloaded.h"
+#include "mechanics/geometry/signed_distance.h"
 
 namespace mb {
 namespace {
@@ -19,7 +20,8 @@ const std::vector<Shape> shapes = {Box{{0.3, 0.2, 0.7}},
                                    Superquadric{{0.3, 0.1, 0.2}, 1, 1},
                                    Superquadric{{0.3, 0.1, 0.2}, 0.4, 1.5},
                                    Superquadric{{0.1, 0.1, 0.3}, 0.1, 0.1},
-                                   Superquadric{{0.2, 0.1, 0.1}, 2, 2}};
+                                   Superquadric{{0.2, 0.1, 0.1}, 2, 2},
+                                   TaperedSuperquadric{{{0.1, 0.08, 0.12}, 0.8, 1.2}, 0.6}};
 
 double p_norm(double a, double b, double p) { return std::pow(std::pow(a, p) + std::pow(b, p), 1 / p); }
 
@@ -33,6 +35,11 @@ double level(const Shape& shape, const Vector3d& x) {
                                [&](const Superquadric& q) {
                                  const Vector3d y = x.cwiseQuotient(q.semi_axes).cwiseAbs();
                                  return p_norm(p_norm(y[0], y[1], 2 / q.e2), y[2], 2 / q.e1);
+                               },
+                               [&](const TaperedSuperquadric& q) {
+                                 const double z = x[2] + Taper(q).shift(),
+                                              c = 1 + q.taper * z / q.straight.semi_axes[2];
+                                 return level(q.straight, {x[0] / c, x[1] / c, z});
                                }},
                     shape);
 }
@@ -79,13 +86,14 @@ TEST(SurfacePatches, NormalsPointOutwardEverywhere) {
           const SurfacePoint p = patch.at(s, t);
           const Vector3d area = p.by_s.cross(p.by_t);
           ASSERT_GT(area.norm(), 0);
-          const double thickness =
-              std::visit(overloaded{[](const Box& b) { return b.size.minCoeff(); },
-                                    [](const Cylinder& c) { return std::min(2 * c.radius, c.length); },
-                                    [](const Sphere& b) { return 2 * b.radius; },
-                                    // a norm above the 1-norm's body: the octahedron's inscribed ball
-                                    [](const Superquadric& q) { return 2 / q.semi_axes.cwiseInverse().norm(); }},
-                         shape);
+          const double thickness = std::visit(
+              overloaded{[](const Box& b) { return b.size.minCoeff(); },
+                         [](const Cylinder& c) { return std::min(2 * c.radius, c.length); },
+                         [](const Sphere& b) { return 2 * b.radius; },
+                         // a norm above the 1-norm's body: the octahedron's inscribed ball
+                         [](const Superquadric& q) { return 2 / q.semi_axes.cwiseInverse().norm(); },
+                         [](const TaperedSuperquadric& q) { return -2 * signed_distance_value(q, Vector3d::Zero()); }},
+              shape);
           EXPECT_GE(area.normalized().dot(p.x), (1 - 1e-12) * thickness / 2);
         }
   }

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "mechanics/geometry/overloaded.h"
-#include "mechanics/geometry/superquadric.h"
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 
@@ -24,7 +24,7 @@ Vector3d mean_squares(const Shape& shape) {
                                  return Vector3d(across, across, c.length * c.length / 12);
                                },
                                [](const Sphere& s) -> Vector3d { return Vector3d::Constant(s.radius * s.radius / 5); },
-                               [](const Superquadric& s) -> Vector3d {
+                               [](const auto& s) -> Vector3d {
                                  return Vector3d(moment(s, 2, 0, 0), moment(s, 0, 2, 0), moment(s, 0, 0, 2)) /
                                         moment(s, 0, 0, 0);
                                }},
@@ -32,11 +32,12 @@ Vector3d mean_squares(const Shape& shape) {
 }
 
 double least_size(const Shape& shape) {
-  return std::visit(overloaded{[](const Box& b) { return b.size.minCoeff(); },
-                               [](const Cylinder& c) { return std::min(c.radius, c.length); },
-                               [](const Sphere& s) { return s.radius; },
-                               [](const Superquadric& s) { return s.semi_axes.minCoeff(); }},
-                    shape);
+  return std::visit(
+      overloaded{[](const Box& b) { return b.size.minCoeff(); },
+                 [](const Cylinder& c) { return std::min(c.radius, c.length); },
+                 [](const Sphere& s) { return s.radius; }, [](const Superquadric& s) { return s.semi_axes.minCoeff(); },
+                 [](const TaperedSuperquadric& s) { return s.straight.semi_axes.minCoeff(); }},
+      shape);
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-const std::vector<Shape> shapes = {Box{{0.3, 0.2, 0.7}}, Cylinder{0.05, 0.2}, Sphere{0.07}};
+const std::vector<Shape> shapes = {Box{{0.3, 0.2, 0.7}}, Cylinder{0.05, 0.2}, Sphere{0.07},
+                                   TaperedSuperquadric{{{0.1, 0.08, 0.12}, 1, 1}, 0.4}};
 
 TEST(MassProperties, AreTheTextbooks) {
   const MassProperties box = mass_properties(Box{{0.3, 0.2, 0.7}}, 1000);

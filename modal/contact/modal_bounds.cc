@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+
+#include "mechanics/geometry/tapered.h"
 
 namespace mb {
 
@@ -22,6 +23,28 @@ struct Grid {
   double half_width;  // [m] w
 };
 
+struct Ellipsoid {
+  Vector3d centre, semi_axes;  // [m]
+};
+
+// About a superquadric, of the axes of its bounding box: in slices along z, in each of which the concave radius f lies
+// below the line through its values before. Sections lie in ellipses of 2^(1/2 - e2/2) f.
+Ellipsoid ellipsoid_about(const TaperedSuperquadric& body) {
+  constexpr int n_slices = 200;
+  const Eigen::AlignedBox3d box = bounds(body);
+  const double q = 2 / body.straight.e1, widest = box.max()[0] / body.straight.semi_axes[0];
+  const double round = body.straight.e2 < 1 ? std::exp2(0.5 - body.straight.e2 / 2) : 1;
+  const auto radius = [&](double z) { return (1 + body.taper * z) * std::pow(1 - std::pow(std::abs(z), q), 1 / q); };
+  double squared = 0, before = 0, long_before = 0;
+  for (int i = 0; i < n_slices; ++i) {
+    const double from = -1 + 2.0 * i / n_slices, to = i + 1 == n_slices ? 1 : -1 + 2.0 * (i + 1) / n_slices;
+    const double f = i == 0 ? widest : std::min(widest, before + std::max(0.0, before - long_before));
+    squared = std::max(squared, std::pow(round * f / widest, 2) + std::max(from * from, to * to));
+    long_before = before, before = radius(to);
+  }
+  return {box.center(), std::sqrt(squared) * box.sizes() / 2};
+}
+
 template <class Place>
 Grid product(const VectorXd& a, const VectorXd& b, const VectorXd& c, double half_width, const Place& place) {
   Grid grid{Matrix3Xd(3, a.size() * b.size() * c.size()), std::pow(std::cos(pi / (2 * per_degree)), -3), half_width};
@@ -32,8 +55,8 @@ Grid product(const VectorXd& a, const VectorXd& b, const VectorXd& c, double hal
   return grid;
 }
 
-// Nothing for shapes without coordinates in which polynomials stay polynomials.
-std::optional<Grid> fitted_grid(const Shape& shape, int d) {
+// Superquadrics lie in an ellipsoid; what holds there holds on them.
+Grid fitted_grid(const Shape& shape, int d) {
   const int n = per_degree * std::max(1, d);
   const VectorXd x = chebyshev_nodes(n), angle = VectorXd::LinSpaced(2 * n, 0, 2 * pi * (1 - 0.5 / n));
   if (const Box* box = std::get_if<Box>(&shape))
@@ -49,22 +72,28 @@ std::optional<Grid> fitted_grid(const Shape& shape, int d) {
       return Vector3d(s->radius * r *
                       Vector3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
     });
-  return std::nullopt;
+  const auto* straight = std::get_if<Superquadric>(&shape);
+  const Ellipsoid hull =
+      ellipsoid_about(straight ? TaperedSuperquadric{*straight, 0} : std::get<TaperedSuperquadric>(shape));
+  return product(x, angle, angle, hull.semi_axes.minCoeff(), [&](double r, double phi, double theta) -> Vector3d {
+    return hull.centre + r * hull.semi_axes.cwiseProduct(Vector3d(std::sin(theta) * std::cos(phi),
+                                                                  std::sin(theta) * std::sin(phi), std::cos(theta)));
+  });
 }
 
 void tighten(ShapeBounds& bounds, const Shape& shape, const PolynomialBasis& geometry) {
   const int d = geometry.monomials().degree();
-  const auto grid = fitted_grid(shape, d);
-  if (!grid || geometry.size() == 0) return;
+  if (geometry.size() == 0) return;
+  const Grid grid = fitted_grid(shape, d);
   VectorXd largest = VectorXd::Zero(geometry.size());
-  for (Index from = 0; from < grid->X.cols(); from += 1024) {
-    const Index n = std::min<Index>(1024, grid->X.cols() - from);
-    const MatrixXd phi = geometry.at(grid->X.middleCols(from, n));
+  for (Index from = 0; from < grid.X.cols(); from += 1024) {
+    const Index n = std::min<Index>(1024, grid.X.cols() - from);
+    const MatrixXd phi = geometry.at(grid.X.middleCols(from, n));
     for (Index k = 0; k < phi.cols(); ++k)
       largest[k] = std::max(largest[k], phi.col(k).reshaped(3, n).colwise().squaredNorm().maxCoeff());
   }
-  largest = largest.cwiseSqrt() * grid->factor;  // each component along a fixed direction is such a polynomial
-  const double w = grid->half_width;
+  largest = largest.cwiseSqrt() * grid.factor;  // each component along a fixed direction is such a polynomial
+  const double w = grid.half_width;
   bounds.value = bounds.value.cwiseMin(largest);
   bounds.gradient = bounds.gradient.cwiseMin(d * d / w * largest);
   bounds.bend = bounds.bend.cwiseMin(d * d * (d - 1) * (d - 1) / (w * w) * largest);

@@ -3,8 +3,8 @@
 //   |q| <= sqrt(2 E / lambda),   |q'| <= sqrt(2 E),   |q''| <= lambda |q| + c |q'| + |w|,   E = (q'^2 + lambda q^2)/2
 //
 // about the mode's rest under the weight w, times the largest |phi|, |grad phi| and |grad grad phi| of the mode over
-// the solid body. Of a polynomial of degree d these follow from a grid in coordinates fitted to the shape, N a
-// direction,
+// the solid body. Of a polynomial of degree d these follow from a grid in coordinates fitted to the shape
+// (superquadrics: to an ellipsoid about them), N a direction,
 //
 //   max |phi| <= max over the grid |phi| / prod cos(pi d / 2N)      at Chebyshev's nodes, cos(pi d / N) at equal angles
 //   |grad phi| <= d^2/w max |phi|,    |grad grad phi| <= d^2 (d-1)^2 / w^2 max |phi|,    w: half the least width

@@ -14,7 +14,7 @@
 #include <stdexcept>
 
 #include "cases/scene/resolution.h"
-#include "mechanics/geometry/overloaded.h"
+#include "reference/fem/superquadric_mesh.h"
 
 namespace mb::fem {
 
@@ -60,8 +60,8 @@ bool is_one_block(const Shape& shape, const Resolution& resolution) {
 // The shape, if such a mesh of it can be made.
 const Shape& meshable(const Shape& shape, const Resolution& resolution) {
   const auto& cells = resolution.cells;
-  bool possible = !std::holds_alternative<Superquadric>(shape) && resolution.degree >= 1 && resolution.degree <= 4 &&
-                  resolution.graded >= 0 && resolution.graded <= 12 && cells.size() == 3 - shape.index();
+  bool possible = resolution.degree >= 1 && resolution.degree <= 4 && resolution.graded >= 0 &&
+                  resolution.graded <= 12 && cells.size() == n_cell_entries(shape);
   for (size_t i = 0; possible && i < cells.size(); ++i) {
     const int least = i == 0 && std::holds_alternative<Cylinder>(shape) ? 0 : 1;
     possible = cells[i] >= least && cells[i] <= 1024;
@@ -97,8 +97,11 @@ void make(Mesh& mesh, const Sphere& sphere, const std::vector<int>& cells) {
   mesh.refine_global(static_cast<unsigned>(refinements(cells[0])));
 }
 
-void make(Mesh&, const Superquadric&, const std::vector<int>&) {
-  throw std::logic_error("meshable() lets no superquadric pass");
+void make(Mesh& mesh, const Superquadric& body, const std::vector<int>& cells) {
+  make_superquadric(mesh, {body, 0}, refinements(cells[0]));
+}
+void make(Mesh& mesh, const TaperedSuperquadric& body, const std::vector<int>& cells) {
+  make_superquadric(mesh, body, refinements(cells[0]));
 }
 
 // Gives every boundary face the index of the named face that all its vertices lie on; of two such the plane one: the
@@ -134,8 +137,12 @@ void attach_manifold(Mesh& mesh, const Shape& shape, bool one_block, const std::
     mesh.set_manifold(curved, BentSquare(std::get<Cylinder>(shape).radius));
   else if (std::holds_alternative<Cylinder>(shape))
     mesh.set_manifold(curved, dealii::CylindricalManifold<3>(2));
-  else
+  else if (std::holds_alternative<Sphere>(shape))
     mesh.set_manifold(curved, dealii::SphericalManifold<3>());
+  else if (const auto* straight = std::get_if<Superquadric>(&shape))
+    mesh.set_manifold(curved, SuperquadricManifold({*straight, 0}));
+  else
+    mesh.set_manifold(curved, SuperquadricManifold(std::get<TaperedSuperquadric>(shape)));
 }
 
 // Halves the cells near the foci as often as the resolution says.
