@@ -10,6 +10,8 @@ ContactPoints FullModel::contact_points(const RigidSurface&, double) const {
 VectorXd FullModel::translation(const Vector3d&) const {
   throw std::logic_error("this model of a body cannot be moved as a whole");
 }
+ContactPoints FullModel::boundary() const { throw std::logic_error("this model of a body cannot touch anything"); }
+VectorXd FullModel::places() const { throw std::logic_error("this model of a body has no nodes in space"); }
 
 Index EvaluationPoints::size() const { return volume.points.cols() + surface.points.cols() + probes.cols(); }
 

@@ -53,6 +53,10 @@ struct Support {
 enum class Theory { solid, euler_bernoulli, kirchhoff };
 const char* to_string(Theory theory);  // "solid", "euler-bernoulli", "kirchhoff"
 
+// Whether strains are small or of any size. Finite: a compressible neo-Hookean body (mechanics/material/neo_hookean.h),
+// of full order; methods that reduce take it as linear about rest. Of isotropic solids with Rayleigh damping.
+enum class Kinematics { linear, finite };
+
 struct Body {
   std::string name;
   Shape shape;
@@ -64,6 +68,7 @@ struct Body {
   Pose pose = {};   // at t = 0, of the frame in which the shape is centred
   Twist twist = {}; /* at t = 0 */
   Theory theory = Theory::solid;
+  Kinematics kinematics = Kinematics::linear;
 };
 bool is_held(const Body& body);  // by supports or by its theory: its frame stands still
 

@@ -2,6 +2,7 @@
 #include "mechanics/contact/contact_stage.h"
 #include "mechanics/contact/contact_steppers.h"
 #include "mechanics/system/march.h"
+#include "mechanics/system/shifted.h"
 #include "mechanics/system/symmetric_product.h"
 #include "mechanics/system/unbalanced_force.h"
 

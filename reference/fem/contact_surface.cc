@@ -4,6 +4,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 namespace mb::fem {
@@ -23,9 +24,9 @@ bool may_touch(const dealii::FEFaceValues<3>& face, const RigidSurface& surface,
   return false;
 }
 
-}  // namespace
+using FaceChoice = std::function<bool(const dealii::FEFaceValues<3>&)>;
 
-ContactPoints contact_points(const Discretisation& d, const RigidSurface& surface, double reach) {
+ContactPoints points_of_faces(const Discretisation& d, const FaceChoice& wanted) {
   const dealii::QGauss<2> rule(d.element.degree + 3);
   dealii::FEFaceValues<3> face(d.mapping, d.element, rule,
                                dealii::update_values | dealii::update_quadrature_points |
@@ -38,7 +39,7 @@ ContactPoints contact_points(const Discretisation& d, const RigidSurface& surfac
     for (const unsigned f : cell->face_indices()) {
       if (!cell->face(f)->at_boundary()) continue;
       face.reinit(cell, f);
-      if (!may_touch(face, surface, reach)) continue;
+      if (!wanted(face)) continue;
       cell->get_dof_indices(ids);
       for (unsigned q = 0; q < face.n_quadrature_points; ++q) {
         const auto point = static_cast<Index>(X.size());
@@ -51,12 +52,24 @@ ContactPoints contact_points(const Discretisation& d, const RigidSurface& surfac
         }
       }
     }
-  if (X.empty()) throw std::invalid_argument("no face of the mesh comes near the obstacle");
   const auto n = static_cast<Index>(X.size());
   ContactPoints points{Matrix3Xd(3, n), Eigen::Map<const VectorXd>(w.data(), n), SparseMatrix(3 * n, d.n_dofs())};
   for (Index i = 0; i < n; ++i) points.X.col(i) = X[static_cast<size_t>(i)];
   points.U.setFromTriplets(entries.begin(), entries.end());
   return points;
+}
+
+}  // namespace
+
+ContactPoints contact_points(const Discretisation& d, const RigidSurface& surface, double reach) {
+  ContactPoints points =
+      points_of_faces(d, [&](const dealii::FEFaceValues<3>& face) { return may_touch(face, surface, reach); });
+  if (points.w.size() == 0) throw std::invalid_argument("no face of the mesh comes near the obstacle");
+  return points;
+}
+
+ContactPoints boundary(const Discretisation& d) {
+  return points_of_faces(d, [](const dealii::FEFaceValues<3>&) { return true; });
 }
 
 }  // namespace mb::fem

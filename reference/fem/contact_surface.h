@@ -16,5 +16,6 @@ namespace mb::fem {
 // direction. surface: in the body's axes, as it stands at the first touch. U has discretisation n_dofs columns. Throws
 // std::invalid_argument where there is no such face.
 ContactPoints contact_points(const Discretisation& d, const RigidSurface& surface, double reach);
+ContactPoints boundary(const Discretisation& d);  // every face, for bodies that turn
 
 }  // namespace mb::fem

@@ -10,6 +10,7 @@
 #include "reference/fem/contact_surface.h"
 #include "reference/fem/discretisation.h"
 #include "reference/fem/evaluation.h"
+#include "reference/fem/finite_strain.h"
 #include "reference/fem/supports.h"
 #include "reference/theory/theory_model.h"
 
@@ -78,6 +79,12 @@ class DealiiModel final : public FullModel {
       system_.modal_damping = ratios_as_damping(system_, body, modes);
     else
       system_.modal_damping.W = MatrixXd(T.cols(), 0);
+    if (body.kinematics == Kinematics::finite) {
+      if (!body.damping_ratios.empty())
+        throw std::invalid_argument("body '" + body.name +
+                                    "': damping ratios of single modes are of linear kinematics");
+      system_.stored_energy = std::make_shared<fem::FiniteStrain>(mesh_, supports_, body.material, system_);
+    }
   }
 
   const System& system() const override { return system_; }
@@ -94,6 +101,12 @@ class DealiiModel final : public FullModel {
   VectorXd translation(const Vector3d& direction) const override {
     return fem::translation(mesh_, direction)(supports_.kept);
   }
+  ContactPoints boundary() const override {
+    ContactPoints points = fem::boundary(mesh_);
+    points.U = SparseMatrix(points.U * supports_.T);
+    return points;
+  }
+  VectorXd places() const override { return mesh_.node_positions().reshaped()(supports_.kept); }
   Index n_cells() const override { return mesh_.mesh.n_active_cells(); }
   double mesh_volume() const override { return mesh_volume_; }
 
