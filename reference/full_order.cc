@@ -1,6 +1,9 @@
 #include "reference/full_order.h"
 
+#include "reference/finite_answer.h"
 #include "reference/impact.h"
+
+#include <algorithm>
 
 #include "cases/contract/linear.h"
 
@@ -15,7 +18,11 @@ class FullOrder final : public LinearMethod {
   bool takes_modes() const override { return false; }
   Reduction reduce(const Model& model, const Settings&) const override {
     Reduction reduction = unreduced(model);
-    if (!model.scene->contacts.empty())
+    if (std::ranges::any_of(model.scene->bodies, [](const Body& b) { return b.kinematics == Kinematics::finite; }))
+      reduction.in_contact = [&model](const Integrator& integrator, const Settings& settings) {
+        return prepare_finite(model, integrator, settings);
+      };
+    else if (!model.scene->contacts.empty())
       reduction.in_contact = [&model](const Integrator& integrator, const Settings& settings) {
         return prepare_impact(model, integrator, settings);
       };

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "cases/contract/linear.h"
-#include "cases/contract/touchdown.h"
+#include "reference/impact_history.h"
 #include "reference/impact_limits.h"
 
 namespace mb {
@@ -27,41 +27,37 @@ class PreparedImpact final : public Prepared {
         strain_{model.bodies[0].strain, {}},
         full_(model.bodies[0].full),
         touchdown_(touchdown(*scene_, body_)),
+        fall_(fall_of(*scene_, body_, std::min(touchdown_.t, scene_->duration))),
         system_(full_->system()),
         may_blow_up_(integrator.conditionally_stable) {
     if (!body_.twist.angular_velocity.isZero(0))
       throw std::invalid_argument("body '" + body_.name + "' spins: full order in contact has small rotations only");
     if (!integrator.prepare_in_contact)
       throw std::invalid_argument("integrator '" + integrator.name + "' has no steps for full order in contact");
-    free_ = !is_held(body_);
-    start_ = free_ ? std::min(touchdown_.t, scene_->duration) : 0;  // what is held moves at once: its weight bends it
-    velocity_ = to_axes(body_.twist.velocity);
-    gravity_ = to_axes(scene_->gravity);
-    if (free_) system_.v0 = full_->translation(velocity_ + start_ * gravity_);
-    if (free_ && !(touchdown_.t < scene_->duration)) return;  // nothing is touched: closed form throughout
+    if (fall_.free) system_.v0 = full_->translation(fall_.velocity + fall_.start * fall_.gravity);
+    if (fall_.free && !(touchdown_.t < scene_->duration)) return;  // nothing is touched: closed form throughout
     for (const Meeting& meeting : touchdown_.meetings) contacts_.push_back(contact(meeting));
-    stepper_ = integrator.prepare_in_contact(system_, contacts_, settings, scene_->duration - start_);
+    stepper_ = integrator.prepare_in_contact(system_, contacts_, settings, scene_->duration - fall_.start);
   }
 
   Trajectory simulate(const Sampling& sampling) const override {
     if (sampling.shutter != 0) throw std::invalid_argument("no exact means in contact");
     const VectorXd& t = sampling.t;
     Index n_before = 0;
-    while (n_before < t.size() && (t[n_before] < start_ || !stepper_)) ++n_before;
+    while (n_before < t.size() && (t[n_before] < fall_.start || !stepper_)) ++n_before;
     Trajectory answer{t, {}, {}, Status::ok};
     States states;
-    if (stepper_) states = stepper_->run(t.tail(t.size() - n_before).array() - start_);
+    if (stepper_) states = stepper_->run(t.tail(t.size() - n_before).array() - fall_.start);
     answer.work = states.work;
     answer.status = states.status;
     if (stepper_ && sampling.reconstruct && answer.status == Status::ok && t.size() > n_before)
       answer.status = checked(states, t.tail(t.size() - n_before));
     BodyTrajectory body;
-    body.contact = whole(states.contact, n_before, t.size());
+    body.contact = fall_.in_world(states.contact, n_before, t.size());
     if (sampling.reconstruct) {
       MatrixXd u = MatrixXd::Zero(system_.u0.size(), t.size());
       if (stepper_) u.rightCols(states.u.cols()) = states.u;
-      body.displacement = observe(displacement_, u, {});
-      place(body.displacement, t);
+      body.displacement = fall_.placed(observe(displacement_, u, {}), points_, t);
       if (sampling.strain) {
         body.strain = observe(strain_, u, {});
         body.energy = energy(states, body.contact, n_before);
@@ -74,36 +70,26 @@ class PreparedImpact final : public Prepared {
   Index n_unknowns() const override { return system_.u0.size(); }
 
  private:
-  Vector3d to_axes(const Vector3d& world) const { return body_.pose.orientation.conjugate() * world; }
-  Vector3d flown(double t) const { return free_ ? Vector3d(t * velocity_ + t * t / 2 * gravity_) : Vector3d::Zero(); }
-
   // What is not met first may be met by another side of the body, once that has been turned back: of a plane the part
   // that looks at it and comes first on any way there, of other obstacles all of the boundary.
   double reach_to(const Meeting& meeting, const RigidSurface& seen) const {
     const double usual = reach * extent(body_.shape);
-    if (meeting.t <= start_) return usual;
+    if (meeting.t <= fall_.start) return usual;
     if (!std::holds_alternative<HalfSpace>(seen.shape)) return std::numeric_limits<double>::infinity();
     double nearest = std::numeric_limits<double>::infinity();
     for (Index i = 0; i < points_.cols(); ++i) nearest = std::min(nearest, gap_value(seen, points_.col(i)));
     return usual + std::max(0.0, nearest);
   }
 
-  // Errors are judged by what is met: of an obstacle that a rigid body would not meet, by the size of the first touch.
-  const ContactSize& size_for(const Meeting& meeting) const {
-    if (std::isfinite(meeting.t)) return meeting.size;
-    return std::ranges::min_element(touchdown_.meetings, {}, &Meeting::t)->size;
-  }
-
   Contact contact(const Meeting& meeting) const {
     const ContactPair& pair = scene_->contacts[meeting.contact];
-    const Pose frame{body_.pose.to_world(flown(start_)), body_.pose.orientation};
-    const RigidSurface seen = seen_from(frame, surface_met(*scene_, body_, meeting));
-    const ContactSize& scale = size_for(meeting);
+    const RigidSurface seen = seen_from(fall_.frame(), surface_met(*scene_, body_, meeting));
+    const ContactSize& scale = size_for(touchdown_, meeting);
     return {full_->contact_points(seen, reach_to(meeting, seen)),
             seen,
             law_of(pair, meeting.size),
             {scale.approach, scale.speed},
-            meeting.t <= start_};
+            meeting.t <= fall_.start};
   }
 
   // Throws std::runtime_error for an answer beyond what is simulated here, with what came first. One that an explicit
@@ -129,35 +115,7 @@ class PreparedImpact final : public Prepared {
   }
 
   VectorXd weight() const {  // [N]
-    return free_ ? VectorXd(system_.M * full_->translation(gravity_)) : VectorXd(system_.F.rowwise().sum());
-  }
-
-  // From displacements in the body's axes to x - X; of a body that is held, to the world's axes alone.
-  void place(MatrixXd& values, const VectorXd& t) const {
-    const Eigen::Matrix3d Q = body_.pose.orientation.toRotationMatrix();
-    for (Index k = 0; k < t.size(); ++k) {
-      const Vector3d d = flown(std::min(t[k], start_));
-      for (Index i = 0; i < points_.cols(); ++i) {
-        auto u = values.col(k).segment<3>(3 * i);
-        u = free_ ? Vector3d(body_.pose.position + Q * (points_.col(i) + d + u) - points_.col(i)) : Vector3d(Q * u);
-      }
-    }
-  }
-
-  ContactHistory whole(const ContactHistory& from, Index n_before, Index n_t) const {
-    ContactHistory all{Matrix3Xd::Zero(3, n_t), Matrix3Xd::Zero(3, n_t), VectorXd::Zero(n_t), VectorXd::Zero(n_t),
-                       from.touches};
-    const Eigen::Matrix3d Q = body_.pose.orientation.toRotationMatrix();
-    for (Touch& touch : all.touches) {
-      touch.start += start_, touch.end += start_, touch.peak_time += start_;
-      touch.impulse = Q * touch.impulse;
-    }
-    if (n_before == n_t) return all;
-    all.force.rightCols(n_t - n_before) = Q * from.force;
-    all.impulse.rightCols(n_t - n_before) = Q * from.impulse;
-    all.stored.tail(n_t - n_before) = from.stored;
-    all.dissipated.tail(n_t - n_before) = from.dissipated;
-    return all;
+    return fall_.free ? VectorXd(system_.M * full_->translation(fall_.gravity)) : VectorXd(system_.F.rowwise().sum());
   }
 
   // The stepper's own; else of u and v at the times asked for.
@@ -165,8 +123,8 @@ class PreparedImpact final : public Prepared {
     VectorXd E = VectorXd::Constant(contact.stored.size(), kinetic_energy(system_, full_system_velocity()));
     const VectorXd load = weight();
     const double mass =
-        free_ ? full_->translation(Vector3d::UnitX()).dot(system_.M * full_->translation(Vector3d::UnitX())) : 0;
-    const double fallen = -mass * gravity_.dot(flown(start_));
+        fall_.free ? full_->translation(Vector3d::UnitX()).dot(system_.M * full_->translation(Vector3d::UnitX())) : 0;
+    const double fallen = -mass * fall_.gravity.dot(fall_.flown(fall_.start));
     if (states.energy.size() > 0) {
       E.tail(states.energy.size()) = states.energy.array() + fallen;
       return E;
@@ -185,11 +143,9 @@ class PreparedImpact final : public Prepared {
   Observation displacement_, strain_;
   std::shared_ptr<const FullModel> full_;
   Touchdown touchdown_;
+  Fall fall_;  // to the first touch, at most to the duration
   System system_;
   bool may_blow_up_;
-  bool free_;
-  double start_;                 // [s] of the first touch, at most the duration
-  Vector3d velocity_, gravity_;  // in the body's axes
   std::vector<Contact> contacts_;
   std::unique_ptr<Stepper> stepper_;  // none: nothing is touched
 };
