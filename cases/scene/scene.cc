@@ -34,6 +34,8 @@ const char* to_string(Theory theory) {
   return names[static_cast<std::size_t>(theory)];
 }
 
+const char* to_string(Kinematics kinematics) { return kinematics == Kinematics::finite ? "finite" : "linear"; }
+
 bool is_held(const Body& body) { return !body.supports.empty() || body.theory != Theory::solid; }
 
 const Obstacle* striker_of(const Scene& scene, const Body& body) {

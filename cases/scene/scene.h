@@ -56,6 +56,7 @@ const char* to_string(Theory theory);  // "solid", "euler-bernoulli", "kirchhoff
 // Whether strains are small or of any size. Finite: a compressible neo-Hookean body (mechanics/material/neo_hookean.h),
 // of full order; methods that reduce take it as linear about rest. Of isotropic solids with Rayleigh damping.
 enum class Kinematics { linear, finite };
+const char* to_string(Kinematics kinematics);  // "linear", "finite"
 
 struct Body {
   std::string name;
