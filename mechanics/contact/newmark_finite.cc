@@ -54,6 +54,7 @@ class NewmarkFinite final : public Stepper {
       b += gamma * Ma;
       force_.add_load(t1, gamma, b);
       speed = std::max(speed, from.v.lpNorm<Eigen::Infinity>());
+      if (speed == 0) speed = mass_.solve(b).lpNorm<Eigen::Infinity>();  // loads begin
       const auto outcome = stage_.solve(b, a_u, gamma, stage_tolerance * speed, contact_tolerance * speed, to.v);
       work.solves += outcome.solves;
       work.factorisations += outcome.factorisations;

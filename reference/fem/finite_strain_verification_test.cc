@@ -30,7 +30,7 @@ Field field(const Vector3d& X) {
   Field f{Vector3d::Zero(), Matrix3d::Zero(), {Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()}};
   const std::array<std::pair<Vector3d, Vector3d>, 2> waves{
       std::pair{Vector3d(0.012, -0.009, 0.02), Vector3d(1, 1, 1)},
-      std::pair{Vector3d(-0.004, 0.006, 0.005), Vector3d(1, 2, 1)}};
+      std::pair{Vector3d(-0.004, 0.006, 0.005), Vector3d(1, 1, 2)}};
   for (const auto& [a, k] : waves) {
     const Vector3d q = pi * k.cwiseQuotient(size);
     Vector3d s, c;
@@ -59,9 +59,9 @@ Vector3d body_force(const Lame& c, const Field& f) {
   return B;
 }
 
-// Gauss's rule in every cell, p + 3 points a direction.
+// Gauss's rule in every cell, p + 2 points a direction.
 Quadrature rule_of(const Resolution& mesh) {
-  const Rule rule = gauss_legendre(mesh.degree + 3);
+  const Rule rule = gauss_legendre(mesh.degree + 2);
   const Index n = rule.x.size();
   std::array<VectorXd, 3> x, w;
   for (size_t d = 0; d < 3; ++d) {
@@ -121,7 +121,7 @@ double error(const Resolution& mesh) {
 TEST(FiniteStrainVerification, ManufacturedSolutionsConvergeAtFullOrder) {
   const Field middle = field({0.02, 0.05, 0.1});
   EXPECT_GT(middle.gradient.cwiseAbs().maxCoeff(), 0.1);
-  for (const auto& [degree, coarse] : {std::pair{1, std::vector{5, 4, 6}}, {2, {3, 2, 3}}, {3, {2, 2, 2}}}) {
+  for (const auto& [degree, coarse] : {std::pair{1, std::vector{4, 4, 6}}, {2, {2, 2, 3}}, {3, {2, 1, 2}}}) {
     std::vector<int> fine = coarse;
     for (int& n : fine) n *= 2;
     const double e_coarse = error({degree, coarse}), e_fine = error({degree, fine});
