@@ -137,25 +137,30 @@ bool FiniteStage::residual(const VectorXd& b, const VectorXd& a, double gamma, c
   return true;
 }
 
+// next_ = v - A^-1 r and what contact adds: false where contact finds no balance.
+bool FiniteStage::iterate(Kept& kept, const VectorXd& a, double contact_tolerance, const VectorXd& v,
+                          Outcome& outcome) {
+  ++outcome.iterations;
+  ++outcome.solves;
+  kept.inverse.solve(r_, next_);
+  next_ = v - next_;
+  if (!kept.contact) return std::isfinite(next_.sum());
+  const auto contact = kept.contact->solve(kept.inverse, a, kept.gamma, contact_tolerance, next_);
+  outcome.solves += contact.solves;
+  return contact.converged && std::isfinite(next_.sum());
+}
+
 FiniteStage::Outcome FiniteStage::solve(const VectorXd& b, const VectorXd& a, double gamma, double tolerance,
                                         double contact_tolerance, VectorXd& v) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
   Outcome outcome;
   if (!residual(b, a, gamma, v)) return outcome.inverted = true, outcome;
   Kept* kept = tangent_at(u_, gamma, outcome);
   if (!kept) return outcome.inverted = true, outcome;
-  double before = std::numeric_limits<double>::infinity();
+  double before = unknown;
   for (int renewals = 0; outcome.iterations < max_iterations;) {
-    ++outcome.iterations;
-    ++outcome.solves;
-    kept->inverse.solve(r_, next_);
-    next_ = v - next_;
-    if (kept->contact) {
-      const auto contact = kept->contact->solve(kept->inverse, a, gamma, contact_tolerance, next_);
-      outcome.solves += contact.solves;
-      if (!contact.converged) return outcome;
-    }
+    if (!iterate(*kept, a, contact_tolerance, v, outcome)) return outcome;
     const double change = (next_ - v).lpNorm<Eigen::Infinity>();
-    if (!std::isfinite(next_.sum())) return outcome;
     const bool measured = std::isfinite(before);
     if (measured) kept->rate = change / before;
     const double left = kept->rate < 1 ? change * kept->rate / (1 - kept->rate) : change / rounding;
@@ -165,18 +170,17 @@ FiniteStage::Outcome FiniteStage::solve(const VectorXd& b, const VectorXd& a, do
       return outcome;
     }
     // Less of the way where all of it inverts.
-    double part = 1;
+    before = change;
     for (int halving = 0; !residual(b, a, gamma, next_); ++halving) {
       if (halving == max_halvings) return outcome.inverted = true, outcome;
-      part /= 2;
       next_ = 0.5 * (v + next_);
+      before = unknown;
     }
-    before = part < 1 ? std::numeric_limits<double>::infinity() : change;
     v = next_;
     if (!measured || kept->rate <= slow) continue;
     if (renewals++ == max_renewals) return outcome;
     if (!renew(*kept, u_, outcome)) return kept_.pop_front(), outcome.inverted = true, outcome;
-    before = std::numeric_limits<double>::infinity();
+    before = unknown;
   }
   return outcome;
 }

@@ -72,6 +72,7 @@ class FiniteStage {
   };
   Kept* tangent_at(const VectorXd& u, double gamma, Outcome& outcome);
   bool renew(Kept& kept, const VectorXd& u, Outcome& outcome);
+  bool iterate(Kept& kept, const VectorXd& a, double contact_tolerance, const VectorXd& v, Outcome& outcome);
   bool residual(const VectorXd& b, const VectorXd& a, double gamma, const VectorXd& v);
 
   static constexpr size_t most = 3;

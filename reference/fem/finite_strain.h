@@ -47,6 +47,7 @@ class FiniteStrain final : public StoredEnergy {
   struct Scratch;
   void condense(Cell& cell, const Eigen::SparseMatrix<double, Eigen::RowMajor>& T, const SparseMatrix& K) const;
   VectorXd at_nodes(const VectorXd& u) const;  // T u
+  bool evaluate(const Cell& cell, const VectorXd& nodal, double by_u, double viscous, Scratch& s) const;
   bool tangent_of(const Cell& cell, const VectorXd& nodal, double by_u, double by_v, Scratch& s) const;
   static void add(const Cell& cell, Scratch& s, SparseMatrix& A);
 

@@ -125,7 +125,6 @@ TEST(FiniteStrainVerification, ManufacturedSolutionsConvergeAtFullOrder) {
     std::vector<int> fine = coarse;
     for (int& n : fine) n *= 2;
     const double e_coarse = error({degree, coarse}), e_fine = error({degree, fine});
-    std::printf("degree %d: %.3e %.3e order %.2f\n", degree, e_coarse, e_fine, std::log2(e_coarse / e_fine));
     EXPECT_GT(std::log2(e_coarse / e_fine), degree + 1 - 0.2);  // not yet in the asymptotic range
   }
 }

@@ -33,6 +33,19 @@ struct FiniteStrain::Scratch {
   MatrixXd coefficients;  // q x 4: of the four products below
   MatrixXd spread;        // q x 6: mu F F^T, upper triangle
   MatrixXd condensed;
+
+  // block += x_i diag(c_0) x_j^T + x_j diag(c_1) x_i^T, c_0 = coefficients.col(first) and c_1 the next one
+  void add_products(const Blocks& x, size_t i, size_t j, Index first) {
+    scaled = x[i] * coefficients.col(first).asDiagonal();
+    if (i == j) {
+      scaled += x[i] * coefficients.col(first + 1).asDiagonal();
+      block.noalias() += scaled * x[i].transpose();
+      return;
+    }
+    block.noalias() += scaled * x[j].transpose();
+    scaled = x[j] * coefficients.col(first + 1).asDiagonal();
+    block.noalias() += scaled * x[i].transpose();
+  }
 };
 
 void FiniteStrain::condense(Cell& cell, const Eigen::SparseMatrix<double, Eigen::RowMajor>& T,
@@ -69,12 +82,11 @@ void FiniteStrain::condense(Cell& cell, const Eigen::SparseMatrix<double, Eigen:
     for (const Index row : unknowns) to.values.push_back(place_in(K, row, column));
 }
 
-bool FiniteStrain::tangent_of(const Cell& cell, const VectorXd& nodal, double by_u, double by_v, Scratch& s) const {
+// g, h, coefficients and spread at the cell's points; false where it inverts.
+bool FiniteStrain::evaluate(const Cell& cell, const VectorXd& nodal, double by_u, double viscous, Scratch& s) const {
   const Index n = static_cast<Index>(cell.nodes.size()), n_q = cell.w.size();
   for (Index a = 0; a < n; ++a) s.u.col(a) = nodal.segment<3>(3 * cell.nodes[static_cast<size_t>(a)]);
   s.H.noalias() = s.u * cell.gradients;
-  const double viscous = by_v * beta_;
-  const auto dN = [&](Index k) { return cell.gradients.middleCols(k * n_q, n_q); };
   for (Index q = 0; q < n_q; ++q) {
     Matrix3d F = Matrix3d::Identity();
     for (Index k = 0; k < 3; ++k) F.col(k) += s.H.col(k * n_q + q);
@@ -83,40 +95,37 @@ bool FiniteStrain::tangent_of(const Cell& cell, const VectorXd& nodal, double by
     s.coefficients.row(q) << by_u * c_.lambda, by_u * (c_.mu - c_.lambda * now->log_J), viscous * c_.lambda,
         viscous * c_.mu;
     s.coefficients.row(q) *= cell.w[q];
+    const auto dN = [&](Index k) { return cell.gradients.col(k * n_q + q); };
     for (Index i = 0; i < 3; ++i) {
-      const auto at = [&](Index k) { return cell.gradients.col(k * n_q + q); };
-      s.g[static_cast<size_t>(i)].col(q) = now->G(0, i) * at(0) + now->G(1, i) * at(1) + now->G(2, i) * at(2);
-      if (viscous != 0) s.h[static_cast<size_t>(i)].col(q) = F(i, 0) * at(0) + F(i, 1) * at(1) + F(i, 2) * at(2);
+      const auto at = static_cast<size_t>(i);
+      s.g[at].col(q) = now->G(0, i) * dN(0) + now->G(1, i) * dN(1) + now->G(2, i) * dN(2);
+      if (viscous != 0) s.h[at].col(q) = F(i, 0) * dN(0) + F(i, 1) * dN(1) + F(i, 2) * dN(2);
     }
     if (viscous == 0) continue;
     const Matrix3d b = cell.w[q] * viscous * c_.mu * F * F.transpose();
     s.spread.row(q) << b(0, 0), b(0, 1), b(0, 2), b(1, 1), b(1, 2), b(2, 2);
   }
+  return true;
+}
+
+bool FiniteStrain::tangent_of(const Cell& cell, const VectorXd& nodal, double by_u, double by_v, Scratch& s) const {
+  const Index n = static_cast<Index>(cell.nodes.size()), n_q = cell.w.size();
+  const double viscous = by_v * beta_;
+  if (!evaluate(cell, nodal, by_u, viscous, s)) return false;
   Index pair = 0;
-  // block += x_i diag(c_0) x_j^T + x_j diag(c_1) x_i^T
-  const auto add_products = [&](const Blocks& x, size_t i, size_t j, Index first) {
-    s.scaled = x[i] * s.coefficients.col(first).asDiagonal();
-    if (i == j) {
-      s.scaled += x[i] * s.coefficients.col(first + 1).asDiagonal();
-      s.block.noalias() += s.scaled * x[i].transpose();
-      return;
-    }
-    s.block.noalias() += s.scaled * x[j].transpose();
-    s.scaled = x[j] * s.coefficients.col(first + 1).asDiagonal();
-    s.block.noalias() += s.scaled * x[i].transpose();
-  };
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = i; j < 3; ++j, ++pair) {
       if (i == j)
         s.block = (by_u * c_.mu) * cell.laplacian;
       else
         s.block.setZero();
-      add_products(s.g, i, j, 0);
+      s.add_products(s.g, i, j, 0);
       if (viscous != 0) {
-        add_products(s.h, i, j, 2);
+        s.add_products(s.h, i, j, 2);
         for (Index k = 0; k < 3; ++k) {
-          s.scaled = dN(k) * s.spread.col(pair).asDiagonal();
-          s.block.noalias() += s.scaled * dN(k).transpose();
+          const auto dN = cell.gradients.middleCols(k * n_q, n_q);
+          s.scaled = dN * s.spread.col(pair).asDiagonal();
+          s.block.noalias() += s.scaled * dN.transpose();
         }
       }
       const auto I = Eigen::seqN(static_cast<Index>(i), n, 3), J = Eigen::seqN(static_cast<Index>(j), n, 3);
