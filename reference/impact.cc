@@ -31,7 +31,9 @@ class PreparedImpact final : public Prepared {
         system_(full_->system()),
         may_blow_up_(integrator.conditionally_stable) {
     if (!body_.twist.angular_velocity.isZero(0))
-      throw std::invalid_argument("body '" + body_.name + "' spins: full order in contact has small rotations only");
+      throw std::invalid_argument(
+          "body '" + body_.name +
+          "' spins: full order of linear kinematics has small rotations only, of kinematics 'finite' any");
     if (!integrator.prepare_in_contact)
       throw std::invalid_argument("integrator '" + integrator.name + "' has no steps for full order in contact");
     if (fall_.free) system_.v0 = full_->translation(fall_.velocity + fall_.start * fall_.gravity);

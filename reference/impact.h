@@ -11,10 +11,11 @@
 
 namespace mb {
 
-// For scenes with contact, of one body. Throws std::invalid_argument for a body that spins at the start (its axes would
-// turn) and for integrators without prepare_in_contact. Answers with displacements that go beyond this are none:
-// std::runtime_error for a body that turns by more than 0.1 rad, or that at a sample is within an obstacle with a part
-// not picked (impact_limits.h). For an explicit integrator that gained energy by it the status is unstable instead.
+// For scenes with contact, of one body of linear kinematics (else finite_answer.h). Throws std::invalid_argument for a
+// body that spins at the start (its axes would turn) and for integrators without prepare_in_contact. Answers with
+// displacements that go beyond this are none: std::runtime_error for a body that turns by more than 0.1 rad, or that at
+// a sample is within an obstacle with a part not picked (impact_limits.h). For an explicit integrator that gained energy
+// by it the status is unstable instead.
 std::unique_ptr<Prepared> prepare_impact(const Model& model, const Integrator& integrator, const Settings& settings);
 
 }  // namespace mb

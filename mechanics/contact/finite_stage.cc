@@ -13,7 +13,7 @@ using Eigen::Matrix3d;
 constexpr double slow = 0.3;            // [-] rate of convergence
 constexpr double turned_little = 0.02;  // [rad]
 constexpr double rounding = 1e-14;
-constexpr int max_iterations = 30, max_renewals = 4, max_halvings = 6;
+constexpr int max_iterations = 30, max_renewals = 10, max_halvings = 6;
 
 void turn_by(const Matrix3d& Q, VectorXd& x) {
   for (Index i = 0; i < x.size(); i += 3) x.segment<3>(i) = (Q * x.segment<3>(i)).eval();

@@ -14,7 +14,8 @@ namespace {
 constexpr long max_steps = 2'000'000;
 constexpr double unweighed = 1e300;         // quadratures follow, they do not rule the steps
 constexpr double stage_tolerance = 1e-3;    // [-] of the step's own
-constexpr double contact_tolerance = 1e-4;  // [-] of a finite stage's: by this momentum is handed over
+constexpr double finite_tolerance = 1e-2;   // [-] likewise, of stages that iterate: a tenth of it changes no answer
+constexpr double contact_tolerance = 1e-5;  // [-] of a finite stage's: by this momentum is handed over
 constexpr int recoverable = 1;
 
 void require(int flag, const char* call) {
@@ -182,7 +183,8 @@ Run::Run(const System& system, Parts& parts, const Accuracy& accuracy) : problem
   const VectorXd lightness = lightness_of_nodes(system);
   Vector(NV_DATA_S(tolerance_.get()), n) = accuracy.tolerance * accuracy.scales.displacement * lightness;
   Vector(NV_DATA_S(tolerance_.get()) + n, n) = accuracy.tolerance * accuracy.scales.velocity * lightness;
-  problem_.tolerance = stage_tolerance * accuracy.tolerance * accuracy.scales.velocity;
+  problem_.tolerance =
+      (parts.finite ? finite_tolerance : stage_tolerance) * accuracy.tolerance * accuracy.scales.velocity;
   problem_.speed = accuracy.scales.velocity;
   arkode_.reset(ARKStepCreate(nullptr, right_hand_side, 0, y_.get(), context));
   if (!arkode_) throw std::runtime_error("SUNDIALS: ARKStepCreate failed");
@@ -242,6 +244,8 @@ void Run::configure(const Accuracy& accuracy, SUNContext context) {
   require(ARKStepSetNonlinearSolver(ark, stage_solver_.get()), "ARKStepSetNonlinearSolver");
   require(ARKStepSetDeduceImplicitRhs(ark, 1), "ARKStepSetDeduceImplicitRhs");
   // From rest, error control alone would step over a load that comes late.
+  // Where stages iterate, a guess: polynomials of a degree that falls with the distance.
+  if (problem_.parts.finite) require(ARKStepSetPredictorMethod(ark, 2), "ARKStepSetPredictorMethod");
   require(ARKStepSetMaxStep(ark, accuracy.longest_step), "ARKStepSetMaxStep");
   require(ARKStepSetAdaptivityFn(ark, step_on_the_grid, nullptr), "ARKStepSetAdaptivityFn");
   require(ARKStepSetSafetyFactor(ark, safety), "ARKStepSetSafetyFactor");
