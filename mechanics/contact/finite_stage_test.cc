@@ -15,12 +15,15 @@ namespace {
 using Eigen::Matrix3d;
 constexpr double k = 4e3, length = 0.03, mass = 0.02;  // [N/m], [m], [kg] of a node
 
-// Points along x, neighbours tied by springs that turn freely:  W = k/2 sum (d - l)^2,  d = |x_b - x_a|, with dashpots
-// along them. It inverts below a tenth of l.
+// Points along x, more than two in a zigzag, neighbours tied by springs that turn freely:  W = k/2 sum (d - l)^2,  d =
+// |x_b - x_a|, with dashpots along them. It inverts below a tenth of l.
 class Springs final : public StoredEnergy {
  public:
   Springs(Index n_nodes, double dashpot) : X_(3 * n_nodes), dashpot_(dashpot) {
-    for (Index a = 0; a < n_nodes; ++a) X_.segment<3>(3 * a) << length * static_cast<double>(a), 0, 0;
+    const double bend = n_nodes > 2 ? 0.2 : 0;  // [rad] off a line, about which nothing would turn
+    for (Index a = 0; a < n_nodes; ++a)
+      X_.segment<3>(3 * a) << length * std::cos(bend) * static_cast<double>(a),
+          length * std::sin(bend) * static_cast<double>(a % 2), 0;
   }
   double energy(const VectorXd& u) const override {
     double W = 0;
@@ -47,7 +50,7 @@ class Springs final : public StoredEnergy {
   }
   Matrix3d rotation(const VectorXd& u) const override {  // from end to end, which is as good as any
     const Vector3d r = X_.tail<3>() + u.tail<3>() - X_.head<3>() - u.head<3>();
-    return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), r).toRotationMatrix();
+    return Eigen::Quaterniond::FromTwoVectors(X_.tail<3>() - X_.head<3>(), r).toRotationMatrix();
   }
   MatrixXd rigid_motions(const VectorXd& u) const override {
     MatrixXd R(u.size(), 6);
