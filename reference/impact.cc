@@ -52,6 +52,8 @@ class PreparedImpact final : public Prepared {
     answer.status = states.status;
     if (stepper_ && sampling.reconstruct && answer.status == Status::ok && t.size() > n_before)
       answer.status = checked(states, t.tail(t.size() - n_before));
+    states.u.rightCols(states.u.cols() - states.n_valid).setZero();
+    states.v.rightCols(states.v.cols() - states.n_valid).setZero();
     const ContactHistory contact = whole(states.contact, n_before, t.size());
     VectorXd left = states.energy;  // of what is known of the sum
     for (size_t i = members_.size(); i-- > 0;) {
@@ -66,9 +68,11 @@ class PreparedImpact final : public Prepared {
   Index n_unknowns() const override { return n_; }
 
  private:
-  // Bodies in flight alone start where the first surfaces meet. What is held moves from the start, and may be met a
-  // little earlier or later than if it were rigid: then while they are still apart by what impact flattens.
+  // Bodies in flight alone start where the first surfaces meet, but for those that spin. What is held moves from the
+  // start, and may be met a little earlier or later than if it were rigid: then while they are still apart by what
+  // impact flattens.
   double start() const {
+    if (std::ranges::any_of(members_, &ImpactMember::spins)) return 0;
     const auto held = [](const ImpactMember& m) { return !m.free(); };
     if (std::ranges::all_of(members_, held)) return 0;
     double first = scene_->duration;
@@ -135,11 +139,11 @@ class PreparedImpact final : public Prepared {
       if (fault && (!first || fault->t < first->t)) first = fault;
     };
     for (size_t i = 0; i < members_.size(); ++i)
-      note(large_rotation(members_[i].body(), members_[i].rotation(part(states.u, i)), t));
+      if (!members_[i].finite()) note(large_rotation(members_[i].body(), members_[i].rotation(part(states.u, i)), t));
     for (size_t c = 0; c < contacts_.size(); ++c) {
       const auto& [i, obstacle, of_body] = watched_[c];
-      if (of_body) continue;
       const ImpactMember& member = members_[i];
+      if (of_body || member.finite()) continue;
       const Boundary all{member.contact_points(contacts_[c].surface, infinite, first_[i], n_), member.frame()};
       note(unwatched_overlap(member.body(), all, contacts_[c], obstacle, {t, states.u}));
     }

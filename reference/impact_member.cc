@@ -1,8 +1,10 @@
 #include "reference/impact_member.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
+#include "mechanics/system/stored_energy.h"
 #include "reference/impact_limits.h"
 
 namespace mb {
@@ -13,11 +15,13 @@ ImpactMember::ImpactMember(const Model& model, size_t i)
       displacement_{model.bodies[i].displacement, {}},
       strain_{model.bodies[i].strain, {}},
       full_(model.bodies[i].full),
-      touchdown_(mb::touchdown(*model.scene, *body_)),
+      touchdown_(model.scene->contacts.empty() ? Touchdown{} : mb::touchdown(*model.scene, *body_)),
       system_(full_->system()),
       free_(!is_held(*body_)) {
-  if (!body_->twist.angular_velocity.isZero(0))
-    throw std::invalid_argument("body '" + body_->name + "' spins: full order in contact has small rotations only");
+  if (!finite() && !body_->twist.angular_velocity.isZero(0))
+    throw std::invalid_argument(
+        "body '" + body_->name +
+        "' spins: full order of linear kinematics has small rotations only, of kinematics 'finite' any");
   velocity_ = to_axes(body_->twist.velocity);
   gravity_ = to_axes(model.scene->gravity);
 }
@@ -25,7 +29,7 @@ ImpactMember::ImpactMember(const Model& model, size_t i)
 void ImpactMember::start_at(double t, const Integrator& integrator, const Settings& settings) {
   start_ = t;
   if (free_) {
-    system_.v0 = full_->translation(velocity_ + t * gravity_);
+    system_.v0 = rigid_velocity(t);
     return;
   }
   if (!(t > 0) || body_->settled) return;
@@ -34,6 +38,15 @@ void ImpactMember::start_at(double t, const Integrator& integrator, const Settin
   if (bent.status != Status::ok)
     throw std::runtime_error("body '" + body_->name + "' before it is touched: " + to_string(bent.status));
   system_.u0 = bent.u.col(0), system_.v0 = bent.v.col(0);
+}
+
+VectorXd ImpactMember::rigid_velocity(double t) const {
+  VectorXd v = full_->translation(velocity_ + t * gravity_);
+  if (!spins()) return v;
+  const VectorXd X = full_->places();
+  const Vector3d omega = to_axes(body_->twist.angular_velocity);
+  for (Index i = 0; i < v.size(); i += 3) v.segment<3>(i) += omega.cross(Vector3d(X.segment<3>(i)));
+  return v;
 }
 
 Pose ImpactMember::frame() const { return {body_->pose.to_world(flown(start_)), body_->pose.orientation}; }
@@ -60,6 +73,18 @@ MatrixXd ImpactMember::displacement(const MatrixXd& u, const VectorXd& t) const 
   return values;
 }
 
+MatrixXd ImpactMember::strain(const MatrixXd& u) const {
+  if (!finite() || !free_) return observe(strain_, u, {});
+  const Matrix3Xd X = full_->places().reshaped(3, n() / 3);
+  MatrixXd seen(u.rows(), u.cols());  // Q^T (X + u) - X
+  for (Index k = 0; k < u.cols(); ++k) {
+    const Eigen::Matrix3d Q = mb::rotation(*system_.stored_energy, u.col(k));
+    const Matrix3Xd x = X + u.col(k).reshaped(3, X.cols());
+    seen.col(k) = (Q.transpose() * x - X).reshaped();
+  }
+  return observe(strain_, seen, {});
+}
+
 MatrixXd ImpactMember::rotation(const MatrixXd& u) const {
   return rotation_rows(system_, points_, observe(displacement_, system_.R, {})) * u;
 }
@@ -78,7 +103,9 @@ VectorXd ImpactMember::energy(const MatrixXd& u, const MatrixXd& v) const {
   return E;
 }
 
-double ImpactMember::energy_at_start() const { return kinetic_energy(system_, full_->system().v0); }
+double ImpactMember::energy_at_start() const {
+  return free_ ? kinetic_energy(system_, rigid_velocity(0)) : kinetic_energy(system_, full_->system().v0);
+}
 
 SparseMatrix ImpactMember::in_world(const SparseMatrix& U, Index first, Index n_all) const {
   const Eigen::Matrix3d Q = body_->pose.orientation.toRotationMatrix();
@@ -102,14 +129,15 @@ Matrix3Xd to_world(const Pose& frame, const Matrix3Xd& X) {
 }  // namespace
 
 ContactPoints ImpactMember::contact_points(const RigidSurface& met, double reach, Index first, Index n_all) const {
-  ContactPoints all = full_->contact_points(seen_from(frame(), met), reach);
+  ContactPoints all = finite() ? full_->boundary() : full_->contact_points(seen_from(frame(), met), reach);
   all.X = to_world(frame(), all.X);
   all.U = in_world(all.U, first, n_all);
   return all;
 }
 
 Facets ImpactMember::facets(const RigidSurface& met, double reach, Index first, Index n_all) const {
-  Facets all = full_->facets(seen_from(frame(), met), reach);
+  constexpr double everywhere = std::numeric_limits<double>::infinity();
+  Facets all = full_->facets(seen_from(frame(), met), finite() ? everywhere : reach);
   all.X = to_world(frame(), all.X);
   all.U = in_world(all.U, first, n_all);
   return all;

@@ -1,7 +1,14 @@
-// One body of a scene with contact in full order, linear kinematics: what of its motion is not the joint integrator's.
+// One body of a scene with contact in full order: what of its motion is not the joint integrator's.
 //
 //   x = c0 + Q0 (X + d(t) + u),   d rigid flight up to the joint start, in closed form; of a body that is held d = 0,
 //                                 and before the joint start u is integrated alone: its weight bends it
+//
+// Linear kinematics carry small rotations. Finite ones (fem/finite_strain.h) carry any, every face of the boundary is
+// watched, and a body that spins at the start stretches in flight: it is integrated from t = 0, where it is undeformed
+// and moves rigidly. Strains of free finite bodies are those seen from a frame that turns with them, which metrics
+// compare with small ones:
+//
+//   eps = sym(Q^T F) - 1,   Q minimises int rho |x - c - Q (X - X_c)|^2
 #pragma once
 
 #include <memory>
@@ -14,13 +21,15 @@ namespace mb {
 
 class ImpactMember {
  public:
-  // The model must outlive this. Throws std::invalid_argument for a body that spins at the start.
+  // The model must outlive this. Throws std::invalid_argument for a linear body that spins at the start.
   ImpactMember(const Model& model, size_t i);
   void start_at(double t, const Integrator& integrator, const Settings& settings);  // [s] of the joint integration
 
   const Body& body() const { return *body_; }
   const FullModel& full() const { return *full_; }
   bool free() const { return free_; }
+  bool finite() const { return body_->kinematics == Kinematics::finite; }
+  bool spins() const { return free_ && !body_->twist.angular_velocity.isZero(0); }
   const Touchdown& touchdown() const { return touchdown_; }
   const Matrix3Xd& points() const { return points_; }
   const System& system() const { return system_; }  // with the state at the joint start
@@ -32,18 +41,19 @@ class ImpactMember {
   States before(const VectorXd& t) const;
   // Of u: x - X at the evaluation points, of a body that is held in the world's axes alone: 3 p x n_t.
   MatrixXd displacement(const MatrixXd& u, const VectorXd& t) const;
-  MatrixXd strain(const MatrixXd& u) const { return observe(strain_, u, {}); }
-  MatrixXd rotation(const MatrixXd& u) const;  // [rad] 3 x n_t, R R^T M u's
+  MatrixXd strain(const MatrixXd& u) const;    // at the evaluation points, 6 p x n_t
+  MatrixXd rotation(const MatrixXd& u) const;  // [rad] 3 x n_t, R R^T M u's; of a linear body
   VectorXd weight() const;                     // [N]
   // [J] kinetic, strain and the weight's since t = 0, of states at the joint start or later.
   VectorXd energy(const MatrixXd& u, const MatrixXd& v) const;
-  double energy_at_start() const;  // [J] of the body as the scene states it
+  double energy_at_start() const;  // [J] kinetic, of the body as the scene states it
 
   // Where it may touch, in the world as at the joint start, with columns from `first` on of n_all.
   ContactPoints contact_points(const RigidSurface& met, double reach, Index first, Index n_all) const;
   Facets facets(const RigidSurface& met, double reach, Index first, Index n_all) const;
 
  private:
+  VectorXd rigid_velocity(double t) const;  // [m/s] n, of a free body
   Vector3d to_axes(const Vector3d& world) const { return body_->pose.orientation.conjugate() * world; }
   Vector3d flown(double t) const { return free_ ? Vector3d(t * velocity_ + t * t / 2 * gravity_) : Vector3d::Zero(); }
   SparseMatrix in_world(const SparseMatrix& U, Index first, Index n_all) const;

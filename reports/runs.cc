@@ -12,7 +12,8 @@ namespace mb {
 namespace {
 
 template <typename Text>
-using Place = std::tuple<Text, Text, bool, Text, Text, int, int, std::vector<int>, double, double, double>;
+using Place =
+    std::tuple<Text, Text, bool, Text, Text, int, int, std::vector<int>, double, double, double, RotationCoupling>;
 using OwnPlace = Place<std::string>;
 
 // Of all bodies.
@@ -36,7 +37,8 @@ Place<const std::string&> order(const std::string& case_name, const std::string&
           counts(c.resolution),
           -c.settings.time_step,
           -c.settings.relative_tolerance,
-          c.settings.load_tolerance};
+          c.settings.load_tolerance,
+          c.settings.rotation};
 }
 
 const std::string none;
@@ -154,7 +156,11 @@ std::string describe_family(const Contender& contender, Theory theory) {
   const std::string mesh = describe_mesh(contender.resolution, theory);
   if (contender.method == "full-order") return mesh + ", " + describe_integrator(contender);
   if (!is_reduced(contender)) return contender.method + " " + mesh + ", " + describe_integrator(contender);
-  return joined({contender.method, contender.integrator == "exact" ? "" : contender.integrator}, ", ");
+  const RotationCoupling rotation = contender.settings.rotation;
+  return joined(
+      {contender.method, rotation == RotationCoupling::rigid ? "" : std::string("rotation ") + to_string(rotation),
+       contender.integrator == "exact" ? "" : contender.integrator},
+      ", ");
 }
 
 std::string describe_integrator(const Contender& contender) {

@@ -17,6 +17,7 @@ struct Settings {
   double time_step = 0;              // [s]
   double relative_tolerance = 1e-6;  // [-]
   double load_tolerance = 1e-5;      // [-] resampling of chirps and expressions
+  RotationCoupling rotation = RotationCoupling::rigid;
 };
 
 struct Sampling {

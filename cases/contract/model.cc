@@ -11,6 +11,11 @@ Facets FullModel::facets(const RigidSurface&, double) const { throw std::logic_e
 VectorXd FullModel::translation(const Vector3d&) const {
   throw std::logic_error("this model of a body cannot be moved as a whole");
 }
+ContactPoints FullModel::boundary() const { throw std::logic_error("this model of a body cannot touch anything"); }
+SparseMatrix FullModel::stress_stiffness(const VectorXd&) const {
+  throw std::logic_error("this model of a body has no stresses in space");
+}
+VectorXd FullModel::places() const { throw std::logic_error("this model of a body has no nodes in space"); }
 
 Index EvaluationPoints::size() const { return volume.points.cols() + surface.points.cols() + probes.cols(); }
 

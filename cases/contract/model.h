@@ -41,6 +41,12 @@ class FullModel {
   virtual Facets facets(const RigidSurface& surface, double reach) const;  // the same faces, as another body meets them
   // Unknowns that move a body without supports by `direction` [m]: n.
   virtual VectorXd translation(const Vector3d& direction) const;
+  // All points of the boundary, in the order of the above. Throws as it does.
+  virtual ContactPoints boundary() const;
+  // [m] n: places of the unknowns of a body without supports, xyz of node 0, of node 1, ... Throws as above.
+  virtual VectorXd places() const;
+  // [N/m] n x n, symmetric: what the stress of u [m] does to forces when displacements turn it. Throws as above.
+  virtual SparseMatrix stress_stiffness(const VectorXd& u) const;
   virtual Index n_cells() const = 0;
   virtual double mesh_volume() const = 0;  // [m^3]
 };

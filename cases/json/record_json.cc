@@ -27,7 +27,15 @@ Json settings_json(const Record& record) {
   if (integrator == "exact" || settings.load_tolerance != standard.load_tolerance) {
     json["load_tolerance"] = settings.load_tolerance;
   }
+  if (settings.rotation != standard.rotation) json["rotation"] = to_string(settings.rotation);
   return json;
+}
+
+RotationCoupling rotation_from(const std::string& text) {
+  for (const RotationCoupling rotation :
+       {RotationCoupling::rigid, RotationCoupling::coupled, RotationCoupling::unstiffened})
+    if (text == to_string(rotation)) return rotation;
+  refuse("rotation", "is none that is known");
 }
 
 Settings settings_from(const Json& json) {
@@ -43,6 +51,7 @@ Settings settings_from(const Json& json) {
   read("time_step", settings.time_step);
   read("relative_tolerance", settings.relative_tolerance);
   read("load_tolerance", settings.load_tolerance);
+  if (members.find("rotation") != nullptr) settings.rotation = rotation_from(members.text("rotation"));
   members.expect_no_more();
   return settings;
 }
@@ -81,7 +90,8 @@ Resolution mesh_from(Members& members) {
 Resolution resolution_from(Members& members) {
   Resolution resolution = mesh_from(members);
   if (const Json* others = members.find("others")) {
-    if (!others->is_array() || others->empty() || others->size() > 63) refuse("others", "is not a list of 1 to 63 meshes");
+    if (!others->is_array() || others->empty() || others->size() > 63)
+      refuse("others", "is not a list of 1 to 63 meshes");
     for (const Json& other : *others) {
       Members own(other, "others");
       resolution.others.push_back(mesh_from(own));

@@ -92,6 +92,7 @@ std::string canonical(const Pose& pose) {
 std::string canonical(const Body& body) {
   std::string out = fmt::format("body {}\n{}", body.name, canonical(body.shape));
   if (body.theory != Theory::solid) out += fmt::format("theory {}\n", to_string(body.theory));
+  if (body.kinematics != Kinematics::linear) out += fmt::format("kinematics {}\n", to_string(body.kinematics));
   out += canonical(body.material);
   out += fmt::format("damping {} {}\n", number(body.damping.alpha), number(body.damping.beta));
   if (!body.damping_ratios.empty()) out += fmt::format("ratios {}\n", list(body.damping_ratios));

@@ -109,6 +109,14 @@ TEST(Canonical, of_contact_does_not_depend_on_defaults_that_are_written_out_nor_
   }
 }
 
+TEST(Canonical, says_nothing_of_linear_kinematics) {
+  const auto of = [](const char* kinematics) {
+    return canonical(test::read(with(contact_text(), "[body.shape]", std::string(kinematics) + "[body.shape]")));
+  };
+  EXPECT_EQ(of("kinematics = \"linear\"\n"), canonical(test::read(contact_text())));  // stored results keep their names
+  EXPECT_NE(of("kinematics = \"finite\"\n"), canonical(test::read(contact_text())));
+}
+
 TEST(Canonical, tells_superquadrics_apart) {
   const auto of = [](const char* numbers) {
     return canonical(

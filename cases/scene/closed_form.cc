@@ -11,6 +11,8 @@ std::vector<std::string> closed_form_names() {
 }
 
 std::string closed_form_problem(const Scene& scene) {
+  if (!scene.truth.exact.empty() && scene.bodies.front().kinematics == Kinematics::finite)
+    return "closed forms are of linear kinematics";
   return scene.truth.exact.empty() ? "" : exact_solution(scene.truth.exact).problem(scene);
 }
 

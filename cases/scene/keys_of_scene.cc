@@ -37,7 +37,11 @@ const std::vector<KeyGroup>& scene_keys() {
          "the first of them, in scenes with contact: the flight before is known", ""}}},
       {"`[[body]]` (exactly one)",
        {{"body.name", "a name", "", "", "required", "by which loads, probes and profiles refer to it", "\"block\""},
-        {"body.kinematics", "one of linear", "", "", "linear", "small strain", ""},
+        {"body.kinematics", "one of linear, finite", "", "", "linear",
+         "linear: small strain, and in full order small rotations; finite: a compressible neo-Hookean body in full "
+         "order, of any strain and rotation, to which reduced methods are linear about rest; of isotropic solids with "
+         "alpha and beta",
+         ""},
         {"body.resolution", "a table", "", "", "required",
          "the mesh of the truth `same_mesh` and of reduced contenders, see below", "{ degree = 2, cells = [2, 2, 4] }"},
         {"body.theory", "one of euler-bernoulli, kirchhoff", "", "", "none: a solid",

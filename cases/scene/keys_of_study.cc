@@ -30,6 +30,11 @@ const std::vector<KeyGroup>& study_keys() {
          "[0, 4, 16]"},
         {"study.contact_steps", "an array of 1 to 64 numbers", "(0, 1]", "s", "required in scenes with contact",
          "while bodies touch, of methods in closed form; only in scenes with contact", ""},
+        {"study.rotation", "an array of 1 to 3 of rigid, coupled, unstiffened", "", "", "[\"rigid\"]",
+         "of methods in closed form, each with each: what a free body's spin does to its modes and they to it: "
+         "nothing; "
+         "centrifugal, gyroscopic and stiffening terms; these without stiffening; only in scenes with contact",
+         "[\"coupled\"]"},
         {"study.load_tolerance", "a number", "[1e-9, 0.1]", "", "1e-5",
          "error allowed where a chirp or expression is resampled for the closed form, relative to its peak", ""},
         {"study.analyses", "an array of 1 to 64 analyses", "", "", "none",

@@ -10,12 +10,24 @@ namespace mb {
 
 namespace {
 
-void read_kinematics(Section& section) {
-  if (!section.has("kinematics")) return;
-  const auto kinematics = section.choice("kinematics", {{"linear", "finite"}, "kinematics", "kinematics"});
-  if (kinematics == "finite") {
-    section.error("kinematics", "kinematics 'finite' is understood, but cannot be simulated yet");
-  }
+std::optional<Kinematics> read_kinematics(Section& section) {
+  if (!section.has("kinematics")) return Kinematics::linear;
+  const auto word = section.choice("kinematics", {{"linear", "finite"}, "kinematics", "kinematics"});
+  if (!word) return std::nullopt;
+  return *word == to_string(Kinematics::finite) ? Kinematics::finite : Kinematics::linear;
+}
+
+void check_kinematics(Section& section, const BodyDraft& body) {
+  if (body.kinematics != Kinematics::finite) return;
+  const auto refuse = [&](const std::string& what, const char* help) {
+    section.error("kinematics", "kinematics 'finite' is of isotropic solids with Rayleigh damping: " + what, help);
+  };
+  if (body.theory && *body.theory != Theory::solid)
+    refuse(std::string("theory '") + to_string(*body.theory) + "' is linear", "leave one of them out");
+  if (body.material && body.material->orthotropy)
+    refuse("[body.material] states 'orthotropy'", "state youngs_modulus and poissons_ratio");
+  if (body.settled) refuse("'starts' = \"settled\" is where linear bodies come to rest", "leave one of them out");
+  if (!body.damping.ratios.empty()) refuse("[body.damping] states 'ratios' of single modes", "state alpha and beta");
 }
 
 // A body that nothing holds falls, however it starts.
@@ -48,20 +60,20 @@ BodyDraft read_body(Section section, const HistoryContext& context) {
   if (auto damping = section.section("damping", true)) body.damping = read_damping(*damping);
   if (auto resolution = section.section("resolution")) body.resolution = read_mesh(*resolution, body);
   body.supports = read_supports(section, body.shape, context);
-  read_kinematics(section);
+  body.kinematics = read_kinematics(section);
   body.pose = read_pose(section, "pose");
   body.twist = read_twist(section);
   body.settled = read_settled(section, body);
   check_theory(section, body);
+  check_kinematics(section, body);
   section.finish();
   return body;
 }
 
 Body completed(const BodyDraft& draft) {
-  return {draft.name.value(),      draft.shape.value(),  draft.material.value(),
-          draft.damping.rayleigh,  draft.damping.ratios, draft.resolution.value(),
-          draft.supports.supports, draft.pose.value(),   draft.twist.value(),
-          draft.theory.value(),    draft.settled};
+  return {draft.name.value(),   draft.shape.value(),      draft.material.value(),   draft.damping.rayleigh,
+          draft.damping.ratios, draft.resolution.value(), draft.supports.supports,  draft.pose.value(),
+          draft.twist.value(),  draft.theory.value(),     draft.kinematics.value(), draft.settled};
 }
 
 }  // namespace mb

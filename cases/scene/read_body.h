@@ -19,6 +19,7 @@ struct BodyDraft {
   std::optional<Pose> pose = Pose{};
   std::optional<Twist> twist = Twist{};
   std::optional<Theory> theory = Theory::solid;  // nothing: wrong
+  std::optional<Kinematics> kinematics = Kinematics::linear;
   bool settled = false;
   std::optional<bool> touches = std::nullopt;  // whether a contact names it; nothing: not known
 };

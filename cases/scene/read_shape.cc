@@ -22,7 +22,7 @@ std::optional<std::string> read_kind(Section& section, std::vector<std::string> 
 struct Allowed {
   Range exponents, taper;
 };
-const Allowed rigid{{0.1, 2}, {-1, 1}};         // nearly a box to an octahedron: convex throughout
+const Allowed rigid{{0.1, 2}, {-1, 1}};           // nearly a box to an octahedron: convex throughout
 const Allowed meshed{{0.4, 1.4}, {-0.45, 0.45}};  // beyond, cells are flatter than those of coarse balls
 
 // Contact is found of convex shapes (tapered.h).

@@ -71,6 +71,21 @@ std::vector<double> effective_contact_steps(Section& section, std::optional<Sect
   return steps.value_or(std::vector<double>{});
 }
 
+std::vector<RotationCoupling> read_rotations(Section& section, const std::optional<bool>& contact) {
+  const char* const key = "rotation";
+  if (!section.has(key)) return Study{}.rotations;
+  if (contact == false)
+    section.findings().error(section.where_key(key),
+                             fmt::format("'{}' in {}: only scenes with contact take it", key, section.title()));
+  std::vector<RotationCoupling> all;
+  const auto names = read_unlike(section, key, {{"rigid", "coupled", "unstiffened"}, "rotation", "rotations"});
+  for (const std::string& name : values_of(names))
+    for (const RotationCoupling rotation :
+         {RotationCoupling::rigid, RotationCoupling::coupled, RotationCoupling::unstiffened})
+      if (name == to_string(rotation)) all.push_back(rotation);
+  return all;
+}
+
 std::vector<std::string> read_analyses(Section& section, const Vocabulary& vocabulary,
                                        const std::vector<BodyDraft>& bodies) {
   if (!section.has("analyses")) return {};
@@ -114,6 +129,7 @@ Study read_study(Section section, std::optional<Section>& profile, const std::ve
   study.methods = values_of(methods);
   study.modes = effective_modes(section, profile, methods && take_modes(*methods, vocabulary), bodies);
   study.contact_steps = effective_contact_steps(section, profile, methods && touch(bodies) == true, touch(bodies));
+  study.rotations = read_rotations(section, touch(bodies));
   study.analyses = read_analyses(section, vocabulary, bodies);
   study.load_tolerance = section.number("load_tolerance", {1e-9, 0.1}, study.load_tolerance);
   const RunContext shared{bodies, vocabulary, times.shortest};

@@ -43,6 +43,20 @@ const char* to_string(Theory theory) {
   return names[static_cast<std::size_t>(theory)];
 }
 
+const char* to_string(Kinematics kinematics) { return kinematics == Kinematics::finite ? "finite" : "linear"; }
+
+const char* to_string(RotationCoupling rotation) {
+  switch (rotation) {
+    case RotationCoupling::rigid:
+      return "rigid";
+    case RotationCoupling::coupled:
+      return "coupled";
+    case RotationCoupling::unstiffened:
+      return "unstiffened";
+  }
+  return "unknown";
+}
+
 bool is_held(const Body& body) { return !body.supports.empty() || body.theory != Theory::solid; }
 
 const Obstacle* striker_of(const Scene& scene, const Body& body) {

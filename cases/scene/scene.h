@@ -57,6 +57,11 @@ struct Support {
 enum class Theory { solid, euler_bernoulli, kirchhoff };
 const char* to_string(Theory theory);  // "solid", "euler-bernoulli", "kirchhoff"
 
+// Whether strains are small or of any size. Finite: a compressible neo-Hookean body (mechanics/material/neo_hookean.h),
+// of full order; methods that reduce take it as linear about rest. Of isotropic solids with Rayleigh damping.
+enum class Kinematics { linear, finite };
+const char* to_string(Kinematics kinematics);  // "linear", "finite"
+
 struct Body {
   std::string name;
   Shape shape;
@@ -68,6 +73,7 @@ struct Body {
   Pose pose = {};   // at t = 0, of the frame in which the shape is centred
   Twist twist = {}; /* at t = 0 */
   Theory theory = Theory::solid;
+  Kinematics kinematics = Kinematics::linear;
   bool settled = false;  // at t = 0 in equilibrium with its weight, at rest; of bodies with supports
 };
 bool is_held(const Body& body);  // by supports or by its theory: its frame stands still
@@ -141,11 +147,17 @@ struct Stepping {
   std::vector<double> time_steps;           // [s]; one of the two is empty
   std::vector<double> relative_tolerances;  // [-]
 };
+// What a free body's spin does to its modes and they to it (modal/contact/spin.h): nothing, everything, or all but the
+// stiffening by stresses that rotation brings.
+enum class RotationCoupling { rigid, coupled, unstiffened };
+const char* to_string(RotationCoupling rotation);
+
 struct Study {
   std::vector<std::string> methods;  // reduced methods in closed form, each at every mode count if it takes one
   std::vector<int> modes;            // elastic modes r >= 0; rigid modes always stay
   // [s] steps while bodies touch, of methods in closed form; only in scenes with contact
   std::vector<double> contact_steps;
+  std::vector<RotationCoupling> rotations{RotationCoupling::rigid};  // of methods in closed form, each with each
   std::vector<Stepping> steppings;
   std::vector<Rival> rivals;
   std::vector<std::string> analyses;  // what else is found out: names of the catalogue of analyses

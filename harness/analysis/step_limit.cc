@@ -57,6 +57,7 @@ bool steps_as(const Scheme& scheme, const System& system) {
 
 System let_go(const System& system, const VectorXd& phi) {
   System alone = system;
+  alone.stored_energy = nullptr;  // about rest
   alone.F.resize(system.M.rows(), 0);
   alone.s.clear();
   alone.u0 = phi;

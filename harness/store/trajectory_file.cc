@@ -82,8 +82,8 @@ const Value& find(const std::map<std::string, Value>& values, const std::string&
 }
 
 Status status_from(const std::string& text) {
-  for (const Status status :
-       {Status::ok, Status::not_finite, Status::no_convergence, Status::too_many_steps, Status::unstable}) {
+  for (const Status status : {Status::ok, Status::not_finite, Status::no_convergence, Status::too_many_steps,
+                              Status::unstable, Status::inverted}) {
     if (text == to_string(status)) return status;
   }
   throw std::runtime_error("its status is unknown");

@@ -20,10 +20,13 @@ std::string truth_hash(const Scene& scene, const Resolution& resolution, double 
 }
 
 std::string run_hash(const Scene& scene, const Contender& c) {
-  return content_hash(fmt::format("run\n{} {}\n{}\n{} {} {}\n{} {:a} {:a} {:a}\n{} {} {}\n", scene.name, scene.profile,
-                                  canonical(scene), c.method, c.integrator, to_string(c.resolution), c.settings.modes,
-                                  c.settings.time_step, c.settings.relative_tolerance, c.settings.load_tolerance,
-                                  sources::reference, sources::contenders, sources::libraries));
+  const bool rigid = c.settings.rotation == RotationCoupling::rigid;
+  return content_hash(fmt::format("run\n{} {}\n{}\n{} {} {}\n{} {:a} {:a} {:a}{}\n{} {} {}\n", scene.name,
+                                  scene.profile, canonical(scene), c.method, c.integrator, to_string(c.resolution),
+                                  c.settings.modes, c.settings.time_step, c.settings.relative_tolerance,
+                                  c.settings.load_tolerance,
+                                  rigid ? "" : std::string(" ") + to_string(c.settings.rotation), sources::reference,
+                                  sources::contenders, sources::libraries));
 }
 
 // What an analysis looks at besides the scene: the study's methods, mode counts, steppings and load tolerance.

@@ -34,16 +34,18 @@ std::vector<int> mode_counts(const Method& method, const std::vector<int>& modes
 std::vector<Contender> closed_form(const Scene& scene, const Catalogue& catalogue) {
   std::vector<Contender> all;
   for (const auto& method : scene.study.methods)
-    for (const int modes : mode_counts(catalogue.method(method), scene.study.modes)) {
-      Contender contender{method, "exact", own_meshes(scene), {}};
-      contender.settings.modes = modes;
-      if (scene.contacts.empty()) {
-        contender.settings.load_tolerance = scene.study.load_tolerance;
-        all.push_back(contender);
-      } else {  // the closed form is that of the flight
-        append(all, contender, scene.study.contact_steps, {});
+    for (const int modes : mode_counts(catalogue.method(method), scene.study.modes))
+      for (const RotationCoupling rotation : scene.study.rotations) {
+        Contender contender{method, "exact", own_meshes(scene), {}};
+        contender.settings.modes = modes;
+        contender.settings.rotation = rotation;
+        if (scene.contacts.empty()) {
+          contender.settings.load_tolerance = scene.study.load_tolerance;
+          all.push_back(contender);
+        } else {  // the closed form is that of the flight
+          append(all, contender, scene.study.contact_steps, {});
+        }
       }
-    }
   return all;
 }
 
@@ -126,6 +128,8 @@ bool is_full_order(const Contender& contender) { return contender.method == "ful
 std::string label(const Contender& c) {
   std::string text = c.method;
   if (c.settings.modes > 0) text += fmt::format(" r={}", c.settings.modes);
+  if (c.settings.rotation != RotationCoupling::rigid)
+    text += std::string(" rotation ") + to_string(c.settings.rotation);
   text += " " + c.integrator;
   if (c.settings.time_step > 0) text += fmt::format(" dt={:.3g} s", c.settings.time_step);
   if (c.integrator == "sundials") text += fmt::format(" rtol={:.0e}", c.settings.relative_tolerance);

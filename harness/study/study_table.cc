@@ -59,6 +59,11 @@ StudyTable study_table(const Study& study) {
   put(all.fields, "methods", study.methods);
   put(all.fields, "modes", study.modes);
   put(all.fields, "contact_steps", study.contact_steps);
+  if (study.rotations != Study{}.rotations) {
+    std::vector<std::string> names;
+    for (const RotationCoupling rotation : study.rotations) names.emplace_back(to_string(rotation));
+    put(all.fields, "rotation", names);
+  }
   put(all.fields, "analyses", study.analyses);
   all.fields["load_tolerance"] = value(study.load_tolerance);
   for (const Rival& rival : study.rivals) all.rivals.push_back(fields_of(rival));

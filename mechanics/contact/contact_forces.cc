@@ -155,7 +155,7 @@ void ContactForces::tractions_between(const Part& part, ContactSum& sum, bool wi
     const auto near = (*part.feet)(i, X.col(i) + part.y.segment<3>(3 * i));
     sum.least_gap = std::min(sum.least_gap, near.gap);
     if (!near.foot) continue;
-    const Foot& foot = *near.foot;
+    const FacetFoot& foot = *near.foot;
     const auto nodes = facets.nodes.col(foot.patch);
     Vector3d v = part.rate.segment<3>(3 * i);
     for (Index a = 0; a < nodes.size(); ++a) v -= foot.N[a] * part.rate.segment<3>(3 * (m + nodes[a]));
@@ -209,7 +209,7 @@ void ContactForces::relative_row(const Part& part, size_t touching, Index compon
   for (Rows::InnerIterator it(part.D, part.flat ? i : 3 * i + component); it; ++it)
     row.emplace_back(it.col(), it.value());
   if (!part.feet) return;
-  const Foot& foot = part.at[touching];
+  const FacetFoot& foot = part.at[touching];
   const auto nodes = part.contact->partner->nodes.col(foot.patch);
   for (Index a = 0; a < nodes.size(); ++a)
     for (Rows::InnerIterator it(part.D, 3 * (part.contact->points.X.cols() + nodes[a]) + component); it; ++it)

@@ -51,7 +51,7 @@ class ContactForces {
     mutable std::optional<FootSearch> feet = {};  // on a partner
     mutable VectorXd y = {}, rate = {}, t = {};   // of every row
     mutable std::vector<Index> touching = {};
-    mutable std::vector<Foot> at = {};                          // of touching points on a partner
+    mutable std::vector<FacetFoot> at = {};                     // of touching points on a partner
     mutable std::vector<Eigen::Matrix3d> by_x = {}, by_v = {};  // of touching points
   };
   using Row = std::vector<std::pair<Index, double>>;  // column in C, entry

@@ -22,26 +22,28 @@ void ContactStage::forget() {
   known_.clear();
 }
 
-void ContactStage::require_columns(const Shifted& A, const std::vector<Index>& active, Outcome& outcome) {
-  VectorXd e = VectorXd::Zero(n_), x(n_);
+void ContactStage::require_columns(const Inverse& A, const std::vector<Index>& active, Outcome& outcome) {
+  std::vector<Index> missing, unknowns;
   for (const Index c : active) {
     if (column_[static_cast<size_t>(c)] >= 0) continue;
+    missing.push_back(c);
+    unknowns.push_back(forces_.dofs()[static_cast<size_t>(c)]);
+  }
+  if (missing.empty()) return;
+  const MatrixXd found = A.columns(unknowns, n_);
+  for (size_t k = 0; k < missing.size(); ++k) {
     const auto at = static_cast<Index>(known_.size());
     if (at >= inverse_.cols()) {
       const Index more = std::max<Index>(32, 2 * inverse_.cols());
       inverse_.conservativeResize(n_, more);
       inverse_C_.conservativeResize(static_cast<Index>(column_.size()), more);
     }
-    const Index dof = forces_.dofs()[static_cast<size_t>(c)];
-    e[dof] = 1;
-    A.solve(e, x);
-    e[dof] = 0;
-    inverse_.col(at) = x;
-    inverse_C_.col(at) = forces_.gather(x);
-    column_[static_cast<size_t>(c)] = at;
-    known_.push_back(c);
-    ++outcome.solves;
+    inverse_.col(at) = found.col(static_cast<Index>(k));
+    inverse_C_.col(at) = forces_.gather(inverse_.col(at));
+    column_[static_cast<size_t>(missing[k])] = at;
+    known_.push_back(missing[k]);
   }
+  outcome.solves += static_cast<long>(missing.size());
 }
 
 MatrixXd ContactStage::compliance(const std::vector<Index>& rows, const std::vector<Index>& columns) const {
@@ -54,7 +56,7 @@ VectorXd ContactStage::response(const VectorXd& f_C) const {
   return inverse_C_.leftCols(static_cast<Index>(known_.size())) * f_C(known_);
 }
 
-ContactStage::Outcome ContactStage::solve(const Shifted& A, const VectorXd& a, double gamma, double tolerance,
+ContactStage::Outcome ContactStage::solve(const Inverse& A, const VectorXd& a, double gamma, double tolerance,
                                           VectorXd& v) {
   Outcome outcome{true, 0, 0};
   const VectorXd a_C = forces_.gather(a), vhat_C = forces_.gather(v);

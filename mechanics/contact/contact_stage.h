@@ -11,8 +11,8 @@
 // stiffness into a well-conditioned small dense system; no iteration over the whole mesh is left.
 #pragma once
 
+#include "mechanics/algebra/inverse.h"
 #include "mechanics/contact/contact_forces.h"
-#include "mechanics/system/shifted.h"
 
 namespace mb {
 
@@ -34,10 +34,10 @@ class ContactStage {
     long solves; /* with A */
   };
   // v: vhat on entry, the solution on return. tolerance [m/s]: of the largest component of the residual.
-  Outcome solve(const Shifted& A, const VectorXd& a, double gamma, double tolerance, VectorXd& v);
+  Outcome solve(const Inverse& A, const VectorXd& a, double gamma, double tolerance, VectorXd& v);
 
  private:
-  void require_columns(const Shifted& A, const std::vector<Index>& active, Outcome& outcome);
+  void require_columns(const Inverse& A, const std::vector<Index>& active, Outcome& outcome);
   MatrixXd compliance(const std::vector<Index>& rows, const std::vector<Index>& columns) const;
   VectorXd response(const VectorXd& f_C) const;  // (A^-1 f)_C
 

@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "mechanics/system/shifted.h"
+
 namespace mb {
 namespace {
 

@@ -8,7 +8,7 @@ namespace mb {
 
 namespace {
 
-constexpr double skin = 0.25;        // [-] of the mean radius of a patch
+constexpr double skin = 0.5;         // [-] of the least radius of a patch
 constexpr int most_iterations = 30;  // of a foot; a few suffice
 constexpr double settled = 1e-12;    // [-] change of xi
 constexpr double rim = 1e-9;         // [-] of xi: nearer to an edge than that is at it
@@ -39,18 +39,18 @@ FootSearch::FootSearch(const Facets& facets, Index n_points)
   for (int i = 0; i <= 64; ++i) most = std::max(most, basis(i / 64.0).L.lpNorm<1>());
   lebesgue_ = 1.05 * most * most;  // between the samples it is larger by less
   renew();
-  skin_ = skin * radii_.mean();
+  skin_ = skin * radii_.minCoeff();
 }
 
 FootSearch::Basis FootSearch::basis(double xi) const {
   const Index n = coefficients_.rows();
-  VectorXd p(n), p1(n), p2(n);
+  Values p(n), p1(n), p2(n);
   double power = 1, lower = 0, lowest = 0;  // xi^k, xi^(k-1), xi^(k-2)
   for (Index k = 0; k < n; ++k) {
     p[k] = power, p1[k] = static_cast<double>(k) * lower, p2[k] = static_cast<double>(k * (k - 1)) * lowest;
     lowest = lower, lower = power, power *= xi;
   }
-  return {coefficients_ * p, coefficients_ * p1, coefficients_ * p2};
+  return {coefficients_.lazyProduct(p), coefficients_.lazyProduct(p1), coefficients_.lazyProduct(p2)};
 }
 
 FootSearch::Surface FootSearch::surface(int patch, const Eigen::Vector2d& xi) const {
@@ -96,16 +96,19 @@ Eigen::Vector2d FootSearch::descend(int patch, const Vector3d& x, Eigen::Vector2
   return xi;
 }
 
+// The foot of last time first: most others lie farther away than it, whatever is on them.
 void FootSearch::look(Memory& memory, const Vector3d& x) const {
+  const int before = memory.epoch >= 0 ? memory.foot.patch : -1;
   double least = std::numeric_limits<double>::infinity();
-  const int before = memory.foot.patch;
-  const Eigen::Vector2d started = memory.foot.xi;
-  for (const int patch : memory.candidates) {
-    const bool known = memory.epoch >= 0 && patch == before;
-    const Eigen::Vector2d xi = descend(patch, x, known ? started : Eigen::Vector2d(0.5, 0.5));
+  const auto try_patch = [&](int patch, const Eigen::Vector2d& from) {
+    const Eigen::Vector2d xi = descend(patch, x, from);
     const double distance = (surface(patch, xi).S - x).norm();
     if (distance < least) least = distance, memory.foot.patch = patch, memory.foot.xi = xi;
-  }
+  };
+  if (before >= 0) try_patch(before, memory.foot.xi);
+  for (const int patch : memory.candidates)
+    if (patch != before && (centres_.col(patch) - x).norm() - radii_[patch] - moved_ < least)
+      try_patch(patch, {0.5, 0.5});
   const Surface s = surface(memory.foot.patch, memory.foot.xi);
   const Vector3d across = s.S1.cross(s.S2).normalized(), d = x - s.S;
   const double side = d.dot(across) < 0 ? -1 : 1;

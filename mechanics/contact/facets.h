@@ -19,12 +19,12 @@ struct Facets {
   SparseMatrix U;         // 3 k x n: displacements of the nodes
 };
 
-struct Foot {
+struct FacetFoot {
   int patch;
   Eigen::Vector2d xi;
-  double gap;       // [m]
-  Vector3d normal;  // [-] outward, of unit length
-  VectorXd N;       // [-] weights of the patch's nodes, (p + 1)^2
+  double gap;                                         // [m]
+  Vector3d normal;                                    // [-] outward, of unit length
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 25> N;  // [-] weights of the patch's nodes, (p + 1)^2
 };
 
 // Feet of the same points over and over, while all moves little from one look to the next: what is far is not looked
@@ -36,8 +36,8 @@ class FootSearch {
   void move_to(const VectorXd& u);  // [m] displacements of the nodes, 3 k
 
   struct Near {
-    double gap;        // [m] a lower bound where it is above `depth`
-    const Foot* foot;  // of a point whose gap lies below the depth asked for; else none
+    double gap;             // [m] a lower bound where it is above `depth`
+    const FacetFoot* foot;  // of a point whose gap lies below the depth asked for; else none
   };
   Near operator()(Index point, const Vector3d& x, double depth = 0);
 
@@ -50,10 +50,11 @@ class FootSearch {
     double gap;                   // [m] then
     long epoch = -1;              // of the reference then
     std::vector<int> candidates;  // patches
-    Foot foot;
+    FacetFoot foot;
   };
+  using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 5>;  // of L_a; never on the heap
   struct Basis {
-    VectorXd L, L1, L2;
+    Values L, L1, L2;
   };
   Basis basis(double xi) const;
   Surface surface(int patch, const Eigen::Vector2d& xi) const;
@@ -63,8 +64,8 @@ class FootSearch {
   void renew();
 
   const Facets& facets_;
-  MatrixXd coefficients_;    // of L by powers of xi
-  double lebesgue_;          // bound of sum |L_a L_b|
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 5, 5> coefficients_;  // of L by powers of xi
+  double lebesgue_;                                                              // bound of sum |L_a L_b|
   Matrix3Xd x_, reference_;  // nodes: now; where the spheres were made
   double moved_ = 0;         // [m] of any point of the surface since then
   double skin_;              // [m] that lists allow for

@@ -1,7 +1,9 @@
 #include "mechanics/contact/contact_record.h"
 #include "mechanics/contact/contact_stage.h"
 #include "mechanics/contact/contact_steppers.h"
+#include "mechanics/contact/newmark_finite.h"
 #include "mechanics/system/march.h"
+#include "mechanics/system/shifted.h"
 #include "mechanics/system/symmetric_product.h"
 #include "mechanics/system/unbalanced_force.h"
 
@@ -79,6 +81,7 @@ class NewmarkInContact final : public Stepper {
 
 std::unique_ptr<Stepper> newmark(const System& system, const std::vector<Contact>& contacts, double h) {
   require_consistent(system);
+  if (system.stored_energy) return newmark_finite(system, contacts, checked_step(h, "newmark"));
   return std::make_unique<NewmarkInContact>(system, contacts, checked_step(h, "newmark"));
 }
 

@@ -4,6 +4,7 @@
 #include "mechanics/contact/contact_steppers.h"
 #include "mechanics/system/march.h"
 #include "mechanics/system/shifted.h"
+#include "mechanics/system/stored_energy.h"
 #include "mechanics/system/unbalanced_force.h"
 
 namespace mb {
@@ -88,10 +89,12 @@ class CentralDifference final : public Stepper {
 }  // namespace
 
 std::unique_ptr<Stepper> central_difference(const System& system, double h) {
+  require_linear(system, "central difference");
   return std::make_unique<CentralDifference>(system, std::vector<Contact>(), checked_step(h, "central difference"));
 }
 
 std::unique_ptr<Stepper> central_difference(const System& system, const std::vector<Contact>& contacts, double h) {
+  require_linear(system, "central difference");
   return std::make_unique<CentralDifference>(system, contacts, checked_step(h, "central difference"));
 }
 

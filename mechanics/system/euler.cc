@@ -1,6 +1,7 @@
 #include "mechanics/system/explicit_euler.h"
 #include "mechanics/system/march.h"
 #include "mechanics/system/spd_factor.h"
+#include "mechanics/system/stored_energy.h"
 #include "mechanics/system/symplectic_euler.h"
 #include "mechanics/system/unbalanced_force.h"
 
@@ -39,10 +40,12 @@ class Euler final : public Stepper {
 }  // namespace
 
 std::unique_ptr<Stepper> explicit_euler(const System& system, double h) {
+  require_linear(system, "explicit Euler");
   return std::make_unique<Euler>(system, checked_step(h, "explicit Euler"), VelocityOfDisplacement::old);
 }
 
 std::unique_ptr<Stepper> symplectic_euler(const System& system, double h) {
+  require_linear(system, "symplectic Euler");
   return std::make_unique<Euler>(system, checked_step(h, "symplectic Euler"), VelocityOfDisplacement::updated);
 }
 

@@ -6,6 +6,7 @@
 
 #include "mechanics/system/modal_form.h"
 #include "mechanics/system/modal_motion.h"
+#include "mechanics/system/stored_energy.h"
 
 namespace mb {
 namespace {
@@ -63,6 +64,7 @@ class Exact final : public Stepper {
 }  // namespace
 
 std::unique_ptr<Stepper> exact(const System& system, double duration, double load_tolerance) {
+  require_linear(system, "exact");
   auto form = modal_form(system);
   std::vector<Segments> chains;
   double load_error = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mechanics/system/joined_energy.h"
+
 namespace mb {
 
 namespace {
@@ -62,6 +64,13 @@ VectorXd stacked(const std::vector<System>& systems, const Part& part) {
   return Eigen::Map<const VectorXd>(all.data(), std::ssize(all));
 }
 
+void join_energies(const std::vector<System>& systems, System& all) {
+  const double alpha = systems.front().damping.alpha;
+  if (std::ranges::any_of(systems, [&](const System& s) { return s.damping.alpha != alpha; }))
+    throw std::invalid_argument("joined: bodies of finite deformation whose 'alpha' is not that of the others");
+  all.stored_energy = std::make_shared<JoinedEnergy>(systems);
+}
+
 }  // namespace
 
 System joined(const std::vector<System>& systems) {
@@ -81,7 +90,9 @@ System joined(const std::vector<System>& systems) {
   const auto alike = [&](const System& s) {
     return s.damping.alpha == all.damping.alpha && s.damping.beta == all.damping.beta;
   };
-  const bool same = std::ranges::all_of(systems, alike);
+  const bool finite = std::ranges::any_of(systems, [](const System& s) { return s.stored_energy != nullptr; });
+  if (finite) join_energies(systems, all);
+  const bool same = finite || std::ranges::all_of(systems, alike);
   if (!same) {
     all.damping = {};
     all.viscous =

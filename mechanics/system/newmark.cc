@@ -1,5 +1,6 @@
 #include "mechanics/system/newmark.h"
 
+#include "mechanics/contact/newmark_finite.h"
 #include "mechanics/system/march.h"
 #include "mechanics/system/shifted.h"
 #include "mechanics/system/symmetric_product.h"
@@ -79,6 +80,7 @@ States Newmark::run(const VectorXd& times) const {
 
 std::unique_ptr<Stepper> newmark(const System& system, double h) {
   require_consistent(system);
+  if (system.stored_energy) return newmark_finite(system, {}, checked_step(h, "newmark"));
   return std::make_unique<Newmark>(system, checked_step(h, "newmark"));
 }
 

@@ -9,13 +9,14 @@
 // modes cost no solve.
 #pragma once
 
+#include "mechanics/algebra/inverse.h"
 #include "mechanics/system/low_rank_damping.h"
 #include "mechanics/system/spd_factor.h"
 #include "mechanics/system/system.h"
 
 namespace mb {
 
-class Shifted {
+class Shifted final : public Inverse {
  public:
   Shifted(const System& system, double gamma);  // kappa = gamma^2; gamma [s] > 0; the system must outlive this
   Shifted(const System& system, double gamma, double kappa);  // gamma [s] > 0, kappa [s^2] >= 0
@@ -23,8 +24,7 @@ class Shifted {
   double gamma() const { return gamma_; }
   const LowRankDamping& low_rank() const { return low_rank_; }
   bool is_diagonal() const { return factor_.is_diagonal(); }
-  // x = A^-1 b without allocation once x has its size; x may be b. One thread at a time.
-  void solve(const VectorXd& b, VectorXd& x) const;
+  void solve(const VectorXd& b, VectorXd& x) const override;
 
  private:
   SparseMatrix sparse_part(double gamma, double kappa) const;  // S, with V diag(e) V^T where that is diagonal

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "mechanics/system/stored_energy.h"
+
 namespace mb {
 
 void require_consistent(const System& system) {
@@ -56,7 +58,17 @@ const VectorXd& LoadFactors::operator()(double t) const {
 }
 
 double kinetic_energy(const System& system, const VectorXd& v) { return 0.5 * v.dot(system.M * v); }
-double strain_energy(const System& system, const VectorXd& u) { return 0.5 * u.dot(system.K * u); }
+double strain_energy(const System& system, const VectorXd& u) {
+  return system.stored_energy ? system.stored_energy->energy(u) : 0.5 * u.dot(system.K * u);
+}
+
+void require_linear(const System& system, const char* integrator) {
+  if (system.stored_energy)
+    throw std::invalid_argument(
+        fmt::format("{}: for linear systems; bodies of finite kinematics take newmark or "
+                    "sundials",
+                    integrator));
+}
 
 States Stepper::averages(const VectorXd&, double) const {
   throw std::invalid_argument("this integrator has no exact averages over time: only closed forms have");
@@ -74,6 +86,8 @@ const char* to_string(Status status) {
       return "too_many_steps";
     case Status::unstable:
       return "unstable";
+    case Status::inverted:
+      return "inverted";
   }
   return "unknown";
 }

@@ -3,11 +3,14 @@
 //   M u'' + C u' + K u = F s(t),    u(0) = u0, u'(0) = v0,
 //   C = alpha (M - M R R^T M) + beta K + W diag(d) W^T + V
 //
+// or with finite deformation (stored_energy.h)   M u'' + alpha M (1 - P(u)) u' + f(u, u') = F s(t).
+//
 // Free degrees of freedom only: supports are condensed, never unit rows. A reduced system is a System again, so every
 // integrator and every measure works on both.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "mechanics/contact/touches.h"
@@ -17,17 +20,21 @@
 
 namespace mb {
 
+class StoredEnergy;  // stored_energy.h
+
 struct System {
   SparseMatrix M;            // [kg] n x n, SPD, full storage
   SparseMatrix K;            // [N/m] n x n, symmetric positive semi-definite, K R = 0
   SparseMatrix lumped_mass;  // [kg] n x n, SPD, diagonal but for supports that are means; for explicit steps. 0 x 0: M
   Rayleigh damping;
   ModalDamping modal_damping;
-  MatrixXd R;              // n x m, rigid modes which the supports leave free, R^T M R = I; m = 6 for a free body
-  MatrixXd F;              // [N] n x number of loads
-  std::vector<History> s;  // one a column of F
-  VectorXd u0, v0;         // [m], [m/s]; n
+  MatrixXd R;                 // n x m, rigid modes which the supports leave free, R^T M R = I; m = 6 for a free body
+  MatrixXd F;                 // [N] n x number of loads
+  std::vector<History> s;     // one a column of F
+  VectorXd u0, v0;            // [m], [m/s]; n
   SparseMatrix viscous = {};  // V [N s/m] n x n, symmetric positive semi-definite; 0 x 0: none (joined.h)
+  // Of finite deformation: then K u + beta K v stands for it near rest alone. Methods that reduce take K.
+  std::shared_ptr<const StoredEnergy> stored_energy = nullptr;
 };
 
 void require_consistent(const System& system);  // throws std::invalid_argument where sizes disagree
@@ -47,7 +54,7 @@ class LoadFactors {
 };
 
 double kinetic_energy(const System& system, const VectorXd& v);  // [J]
-double strain_energy(const System& system, const VectorXd& u);   // [J]
+double strain_energy(const System& system, const VectorXd& u);   // [J] the stored one where the system has it
 
 // What an integrator did, its preparation included; counts, never seconds. A load evaluation is that of all loads at
 // one time, or of one of their pieces in closed form.
@@ -55,7 +62,8 @@ struct Work {
   long steps = 0, rejected = 0, factorisations = 0, solves = 0, load_evaluations = 0;
 };
 
-enum class Status { ok, not_finite, no_convergence, too_many_steps, unstable };  // unstable: energy grew
+// unstable: energy grew; inverted: a deformation whose Jacobian is not positive everywhere
+enum class Status { ok, not_finite, no_convergence, too_many_steps, unstable, inverted };
 const char* to_string(Status status);
 
 // States at the times asked for. Where status is not ok, columns from n_valid on are not to be used.

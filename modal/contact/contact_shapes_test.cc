@@ -30,7 +30,9 @@ struct Setting {
   }
   const System& system() const { return model.bodies[0].full->system(); }
   double shift() const { return physical_shift(scene->bodies[0]); }
-  MatrixXd shapes(const Modes& modes) const { return contact_shapes(*scene, model.bodies[0], modes, shift(), down); }
+  MatrixXd shapes(const Modes& modes) const {
+    return contact_shapes(*scene, scene->bodies[0], model.bodies[0], modes, shift());
+  }
 
   std::shared_ptr<const Scene> scene;
   Model model;

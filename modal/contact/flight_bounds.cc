@@ -47,14 +47,15 @@ std::optional<FlightBounds> coupled(const FloatingBody& body, const ShapeBounds&
   const Vector3d J = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.inertia, Eigen::EigenvaluesOnly).eigenvalues();
   const bool any = modes.lambda.size() > 0;
   if (any && !(modes.lambda.minCoeff() > 0)) return std::nullopt;
-  const double q = any ? e / std::sqrt(modes.lambda.minCoeff()) : 0, U = std::sqrt(J[2]), J_least = J[0] - 2 * U * q;
+  const double q = any ? e / std::sqrt(modes.lambda.minCoeff()) : 0, U = std::sqrt(J[2]),
+               J_least = J[0] - 2 * U * q - body.coupling->s * e * e, arm = U + q + body.coupling->g * e;
   if (!(J_least > 0)) return std::nullopt;
   FlightBounds b{};
   b.Omega = e / std::sqrt(J_least);
   const double q_t = any ? e + b.Omega * q : 0;
-  const double spinning = b.Omega * b.Omega * (U + q) + 2 * b.Omega * q_t;
+  const double spinning = b.Omega * b.Omega * arm + 2 * b.Omega * q_t;
   const double elastic = any ? std::sqrt(modes.lambda.maxCoeff()) * e + modes.c.maxCoeff() * q_t : 0;
-  b.Omega_t = (2 * b.Omega * q_t * (U + q) + b.Omega * state.L.norm() + q * (spinning + elastic)) / J_least;
+  b.Omega_t = (2 * b.Omega * q_t * arm + b.Omega * state.L.norm() + q * (spinning + elastic)) / J_least;
   const auto over = [&](const VectorXd& a, const VectorXd& scale) { return a.cwiseProduct(scale).norm(); };
   const VectorXd root = modes.lambda.cwiseSqrt(), compliance = root.cwiseInverse();
   b.u = e * over(shapes.value, compliance);

@@ -4,12 +4,13 @@
 // (spin.h) modes and rotation share the energy E, which only falls; with e = sqrt(2E), U = sqrt(J_max) and modes that
 // are M-orthonormal (Bessel's inequality: a projection onto them is no longer than what it projects)
 //
-//   |q| <= e / omega_1,     J - C C^T >= J_min - 2 U |q|,     |Omega| <= e / sqrt(J_min - 2 U |q|)
+//   |q| <= e / omega_1,     J - C C^T >= J_min - 2 U |q| - s e^2 =: J_l,     |Omega| <= e / sqrt(J_l)
 //   |q'| <= e + |Omega| |q|,   |sum a_i q_i| <= e sqrt(sum a_i^2 / lambda_i)   for any a
-//   |q'' + Lambda q + c q'| <= |Omega|^2 (U + |q|) + 2 |Omega| |q'| + |Omega'| |q|
-//   (J - C C^T) Omega' = -J' Omega - Omega x Lambda - C (q'' + C^T Omega'),    |J' Omega| <= 2 |Omega| |q'| (U + |q|)
+//   |q'' + Lambda q + c q'| <= |Omega|^2 (U + |q| + g e) + 2 |Omega| |q'| + |Omega'| |q|
+//   (J - C C^T) Omega' = -J' Omega - Omega x Lambda - C (q'' + C^T Omega'),  |J' Omega| <= 2 |Omega| |q'| (U + |q| + g
+//   e)
 //
-// and nothing is bounded where J_min <= 2 U |q|: a body that spins about as fast as it vibrates.
+// s, g of the stiffening (spin.h); nothing is bounded where J_l <= 0: a body that spins about as fast as it vibrates.
 #pragma once
 
 #include <optional>

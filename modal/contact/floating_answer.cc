@@ -12,6 +12,7 @@
 #include "modal/bases/eigenmodes.h"
 #include "modal/contact/contact_shapes.h"
 #include "modal/contact/sample_tables.h"
+#include "modal/contact/spin.h"
 #include "modal/methods/projection.h"
 
 namespace mb {
@@ -131,7 +132,9 @@ FloatingBasis basis_of(const Model& model, size_t i, const Modes& modes, const S
                       mesh.displacement * Phi,
                       mesh.strain * Phi,
                       mesh.displacement * Psi,
-                      mesh.strain * Psi};
+                      mesh.strain * Psi,
+                      mesh.full,
+                      Phi};
   basis.bounds = shape_bounds(body.shape, basis.geometry.basis);
   if (!free) basis.body.weight = Phi.transpose() * system.F.rowwise().sum();
   if (body.settled)
@@ -166,12 +169,16 @@ FloatingBases floating_bases(const Model& model, std::span<const Modes> modes, b
   return bases;
 }
 
-std::vector<ImpactPlan> impact_plans(const FloatingBases& bases, ContactScheme scheme, double step) {
+std::vector<ImpactPlan> impact_plans(const FloatingBases& bases, ContactScheme scheme, double step,
+                                     RotationCoupling rotation) {
   std::vector<ImpactPlan> plans;
   for (const FloatingBasis& basis : bases) {
     const Body& body = basis.scene->bodies[basis.place];
     plans.push_back({basis.body, body.shape, basis.geometry.basis, basis.bounds, basis.start, scheme, step,
                      body.theory == Theory::solid});
+    if (rotation == RotationCoupling::rigid || !basis.body.free || basis.body.n_modes() == 0) continue;
+    plans.back().body.coupling = std::make_shared<const SpinCoupling>(
+        spin_coupling(*basis.full, basis.Phi, rotation == RotationCoupling::coupled, physical_shift(body)));
   }
   return plans;
 }
@@ -211,8 +218,8 @@ BodyTrajectory observed(const FloatingBasis& basis, const ImpactMotion& motion, 
 
 class PreparedFloating final : public Prepared {
  public:
-  PreparedFloating(std::shared_ptr<const FloatingBases> bases, ContactScheme scheme, double step)
-      : bases_(std::move(bases)), plans_(impact_plans(*bases_, scheme, step)) {}
+  PreparedFloating(std::shared_ptr<const FloatingBases> bases, ContactScheme scheme, const Settings& settings)
+      : bases_(std::move(bases)), plans_(impact_plans(*bases_, scheme, settings.time_step, settings.rotation)) {}
 
   Trajectory simulate(const Sampling& sampling) const override {
     if (sampling.shutter != 0) throw std::invalid_argument("no exact means in contact");
@@ -254,7 +261,7 @@ std::unique_ptr<Prepared> prepare_floating(std::shared_ptr<const FloatingBases> 
                                            const Settings& settings) {
   const auto scheme = contact_scheme(integrator.name);
   if (!scheme) throw std::invalid_argument("integrator '" + integrator.name + "' has no steps in contact for modes");
-  return std::make_unique<PreparedFloating>(std::move(bases), *scheme, settings.time_step);
+  return std::make_unique<PreparedFloating>(std::move(bases), *scheme, settings);
 }
 
 }  // namespace mb

@@ -24,6 +24,8 @@ struct FloatingBasis {
   Matrix3Xd points;                             // [m] evaluation points, body frame
   MatrixXd displacement, strain;                // of elastic modes at the points: 3 p x r, 6 p x r
   MatrixXd static_displacement, static_strain;  // of static shapes
+  std::shared_ptr<const FullModel> full;
+  MatrixXd Phi;  // n x r, of the mesh
 };
 using FloatingBases = std::vector<FloatingBasis>;  // of all bodies, in the scene's order
 
@@ -36,7 +38,8 @@ FloatingBases floating_bases(const Model& model, std::span<const Modes> modes, b
 void answer_in_contact(Reduction& reduction, const Model& model, std::span<const Modes> modes, bool static_contact);
 
 // step [s] > 0, of steps in contact. One a body.
-std::vector<ImpactPlan> impact_plans(const FloatingBases& bases, ContactScheme scheme, double step);
+std::vector<ImpactPlan> impact_plans(const FloatingBases& bases, ContactScheme scheme, double step,
+                                     RotationCoupling rotation = RotationCoupling::rigid);
 
 // As Reduction::in_contact. The time step of the settings is the step in contact.
 std::unique_ptr<Prepared> prepare_floating(std::shared_ptr<const FloatingBases> bases, const Integrator& integrator,

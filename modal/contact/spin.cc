@@ -1,6 +1,10 @@
 #include "modal/contact/spin.h"
 
+#include <cmath>
+#include <optional>
 #include <stdexcept>
+
+#include "mechanics/system/static_response.h"
 
 namespace mb {
 
@@ -25,6 +29,12 @@ Eigen::Vector<double, 6> weights_of(const Vector3d& w) {
           -w.x() * w.y()};
 }
 
+double spectral_norm(const MatrixXd& A) {
+  if (A.size() == 0) return 0;
+  const MatrixXd gram = A.transpose() * A;
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<MatrixXd>(gram, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
+}
+
 }  // namespace
 
 SpinCoupling spin_coupling(const Matrix3Xd& X, const VectorXd& masses, const MatrixXd& Phi) {
@@ -44,6 +54,37 @@ SpinCoupling spin_coupling(const Matrix3Xd& X, const VectorXd& masses, const Mat
     const MatrixXd B = phi[a].transpose() * weighted[b];
     coupling.H[k] = B + B.transpose();
     if (k >= 3) coupling.D[k - 3] = B - B.transpose();
+  }
+  return coupling;
+}
+
+SpinCoupling spin_coupling(const FullModel& full, const MatrixXd& Phi, bool stiffened, double shift) {
+  const System& system = full.system();
+  const Index n = system.u0.size(), r = Phi.cols();
+  // Fields over the mesh are products of polynomials there: M integrates them.
+  const MatrixXd places = full.places();
+  const auto along = [&](const auto& field, Index component, Index towards) {  // n x columns of field's component
+    MatrixXd out = MatrixXd::Zero(n, field.cols());
+    out(Eigen::seqN(towards, n / 3, 3), Eigen::all) = field(Eigen::seqN(component, n / 3, 3), Eigen::all);
+    return out;
+  };
+  SpinCoupling coupling{MatrixXd(6, r), {}, {}};
+  std::optional<ShiftedFactor> factor;
+  if (stiffened) factor.emplace(shifted_factor(system, shift));
+  const VectorXd compliance = (Phi.transpose() * (system.K * Phi)).diagonal().cwiseSqrt().cwiseInverse();
+  for (size_t k = 0; k < 6; ++k) {
+    const Index a = pairs[k][0], b = pairs[k][1];
+    const VectorXd force = system.M * (along(places, b, a) + along(places, a, b)).col(0);
+    coupling.A.row(static_cast<Index>(k)) = force.transpose() * Phi;
+    const MatrixXd B = along(Phi, a, a).transpose() * (system.M * along(Phi, b, a));
+    coupling.H[k] = B + B.transpose();
+    if (k >= 3) coupling.D[k - 3] = B - B.transpose();
+    if (!stiffened) continue;
+    const VectorXd u = inertia_relief(system, *factor, force);
+    const MatrixXd G = Phi.transpose() * (full.stress_stiffness(u) * Phi), G_scaled = G * compliance.asDiagonal();
+    coupling.H[k] -= G;
+    coupling.s += spectral_norm(compliance.asDiagonal() * G_scaled) / 2;
+    coupling.g += spectral_norm(G_scaled) / 2;
   }
   return coupling;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -26,9 +27,9 @@ bool may_touch(const dealii::FEFaceValues<3>& face, const RigidSurface& surface,
   return false;
 }
 
-}  // namespace
+using FaceChoice = std::function<bool(const dealii::FEFaceValues<3>&)>;
 
-ContactPoints contact_points(const Discretisation& d, const RigidSurface& surface, double reach) {
+ContactPoints points_of_faces(const Discretisation& d, const FaceChoice& wanted) {
   const dealii::QGauss<2> rule(d.element.degree + 3);
   dealii::FEFaceValues<3> face(d.mapping, d.element, rule,
                                dealii::update_values | dealii::update_quadrature_points |
@@ -41,7 +42,7 @@ ContactPoints contact_points(const Discretisation& d, const RigidSurface& surfac
     for (const unsigned f : cell->face_indices()) {
       if (!cell->face(f)->at_boundary()) continue;
       face.reinit(cell, f);
-      if (!may_touch(face, surface, reach)) continue;
+      if (!wanted(face)) continue;
       cell->get_dof_indices(ids);
       for (unsigned q = 0; q < face.n_quadrature_points; ++q) {
         const auto point = static_cast<Index>(X.size());
@@ -54,15 +55,12 @@ ContactPoints contact_points(const Discretisation& d, const RigidSurface& surfac
         }
       }
     }
-  if (X.empty()) throw std::invalid_argument(no_face);
   const auto n = static_cast<Index>(X.size());
   ContactPoints points{Matrix3Xd(3, n), Eigen::Map<const VectorXd>(w.data(), n), SparseMatrix(3 * n, d.n_dofs())};
   for (Index i = 0; i < n; ++i) points.X.col(i) = X[static_cast<size_t>(i)];
   points.U.setFromTriplets(entries.begin(), entries.end());
   return points;
 }
-
-namespace {
 
 // Of a cell's nodes those on its face f, by ascending coordinates along the two axes across it, the first running
 // fastest.
@@ -126,6 +124,17 @@ Facets facets(const Discretisation& d, const RigidSurface& surface, double reach
     for (Index i = 0; i < 3; ++i) entries.emplace_back(3 * a + i, 3 * used[static_cast<size_t>(a)] + i, 1.0);
   all.U.setFromTriplets(entries.begin(), entries.end());
   return all;
+}
+
+ContactPoints contact_points(const Discretisation& d, const RigidSurface& surface, double reach) {
+  ContactPoints points =
+      points_of_faces(d, [&](const dealii::FEFaceValues<3>& face) { return may_touch(face, surface, reach); });
+  if (points.w.size() == 0) throw std::invalid_argument(no_face);
+  return points;
+}
+
+ContactPoints boundary(const Discretisation& d) {
+  return points_of_faces(d, [](const dealii::FEFaceValues<3>&) { return true; });
 }
 
 }  // namespace mb::fem

@@ -17,6 +17,7 @@ namespace mb::fem {
 // direction. surface: in the body's axes, as it stands at the first touch. U has discretisation n_dofs columns. Throws
 // std::invalid_argument where there is no such face.
 ContactPoints contact_points(const Discretisation& d, const RigidSurface& surface, double reach);
+ContactPoints boundary(const Discretisation& d);  // every face, for bodies that turn
 
 // The same faces as patches; U has discretisation n_dofs columns.
 Facets facets(const Discretisation& d, const RigidSurface& surface, double reach);

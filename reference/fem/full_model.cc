@@ -12,6 +12,8 @@
 #include "reference/fem/contact_surface.h"
 #include "reference/fem/discretisation.h"
 #include "reference/fem/evaluation.h"
+#include "reference/fem/finite_strain.h"
+#include "reference/fem/stress_stiffness.h"
 #include "reference/fem/supports.h"
 #include "reference/theory/theory_model.h"
 
@@ -62,7 +64,8 @@ class DealiiModel final : public FullModel {
  public:
   DealiiModel(const Scene& scene, const Body& body, const Resolution& resolution, const ModeSolver& modes)
       : mesh_(body.shape, resolution, resolution.graded > 0 ? first_touches(scene, body) : std::vector<Vector3d>{}),
-        supports_(fem::condense(mesh_, body.supports)) {
+        supports_(fem::condense(mesh_, body.supports)),
+        material_(body.material) {
     const fem::Matrices full = fem::assemble(mesh_, body.material);
     const SparseMatrix& T = supports_.T;
     const bool all_free = T.rows() == T.cols();  // nothing held, nothing hanging: T = 1
@@ -80,6 +83,12 @@ class DealiiModel final : public FullModel {
       system_.modal_damping = ratios_as_damping(system_, body, modes);
     else
       system_.modal_damping.W = MatrixXd(T.cols(), 0);
+    if (body.kinematics == Kinematics::finite) {
+      if (!body.damping_ratios.empty())
+        throw std::invalid_argument("body '" + body.name +
+                                    "': damping ratios of single modes are of linear kinematics");
+      system_.stored_energy = std::make_shared<fem::FiniteStrain>(mesh_, supports_, body.material, system_);
+    }
     if (body.settled) system_.u0 = bent_by_weight(body);
   }
 
@@ -102,6 +111,16 @@ class DealiiModel final : public FullModel {
   VectorXd translation(const Vector3d& direction) const override {
     return fem::translation(mesh_, direction)(supports_.kept);
   }
+  ContactPoints boundary() const override {
+    ContactPoints points = fem::boundary(mesh_);
+    points.U = SparseMatrix(points.U * supports_.T);
+    return points;
+  }
+  SparseMatrix stress_stiffness(const VectorXd& u) const override {
+    const SparseMatrix G = fem::stress_stiffness(mesh_, material_, supports_.T * u);
+    return supports_.T.transpose() * G * supports_.T;
+  }
+  VectorXd places() const override { return mesh_.node_positions().reshaped()(supports_.kept); }
   Index n_cells() const override { return mesh_.mesh.n_active_cells(); }
   double mesh_volume() const override { return mesh_volume_; }
 
@@ -136,6 +155,7 @@ class DealiiModel final : public FullModel {
 
   fem::Discretisation mesh_;
   fem::Supports supports_;
+  Material material_;
   System system_;
   double mesh_volume_ = 0;
 };

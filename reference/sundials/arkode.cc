@@ -12,8 +12,11 @@ namespace mb::ark {
 namespace {
 
 constexpr long max_steps = 2'000'000;
-constexpr double unweighed = 1e300;       // quadratures follow, they do not rule the steps
-constexpr double stage_tolerance = 1e-3;  // [-] of the step's own
+constexpr double unweighed = 1e300;         // quadratures follow, they do not rule the steps
+constexpr double stage_tolerance = 1e-3;    // [-] of the step's own
+constexpr double finite_tolerance = 1e-2;   // [-] likewise, of stages that iterate: a tenth of it changes no answer
+constexpr double contact_tolerance = 1e-5;  // [-] of a finite stage's: by this momentum is handed over
+constexpr int recoverable = 1;
 
 void require(int flag, const char* call) {
   if (flag < 0)
@@ -30,7 +33,12 @@ int right_hand_side(realtype t, N_Vector y, N_Vector ydot, void* data) {
   p.u = Vector(NV_DATA_S(y), p.n);
   p.v = Vector(NV_DATA_S(y) + p.n, p.n);
   Vector(NV_DATA_S(ydot), p.n) = p.v;
-  p.parts.force(p.load_time(t), p.u, p.v, p.b);
+  if (p.parts.finite) {
+    p.inverted = !p.parts.finite->force(p.load_time(t), p.u, p.v, p.b);
+    if (p.inverted) return recoverable;
+  } else {
+    p.parts.force(p.load_time(t), p.u, p.v, p.b);
+  }
   if (p.parts.contact) {
     set_quadratures(p.contact_at(p.u, p.v, p.f), NV_DATA_S(ydot) + 2 * p.n);
     p.parts.contact->add(p.f, p.b);
@@ -48,18 +56,38 @@ struct Stage {
   Vector part(N_Vector x, Index from, Index n) const { return {NV_DATA_S(x) + from, n}; }
 };
 
-// Contact in a stage whose linear solution stands in p.v: false where Newton's method fails.
-bool solve_contact(Problem& p, const Stage& stage, Factor& factor, N_Vector correction) {
-  const VectorXd a = stage.part(stage.predicted, 0, p.n) + stage.part(stage.data, 0, p.n);
-  const auto outcome = factor.stage->solve(factor.A, a, stage.gamma, p.tolerance, p.v);
-  p.work.solves += outcome.solves;
-  if (!outcome.converged) return false;
+void set_quadratures(Problem& p, const Stage& stage, const VectorXd& a, N_Vector correction) {
   double rates[n_quadratures];
   set_quadratures(p.contact_at(a + stage.gamma * p.v, p.v, p.f), rates);
   const Index at = 2 * p.n;
   stage.part(correction, at, n_quadratures) =
       stage.part(stage.data, at, n_quadratures) + stage.gamma * Vector(rates, n_quadratures);
-  return true;
+}
+
+// Contact in a stage whose linear solution stands in p.v: false where Newton's method fails.
+bool solve_contact(Problem& p, const Stage& stage, Factor& factor, N_Vector correction) {
+  const VectorXd a = stage.part(stage.predicted, 0, p.n) + stage.part(stage.data, 0, p.n);
+  const auto outcome = factor.stage->solve(factor.A, a, stage.gamma, p.tolerance, p.v);
+  p.work.solves += outcome.solves;
+  if (outcome.converged) set_quadratures(p, stage, a, correction);
+  return outcome.converged;
+}
+
+// The nonlinear stage of a finite body, from the predicted velocity: false where it fails.
+bool solve_finite(Problem& p, const Stage& stage, N_Vector correction) {
+  const VectorXd a = stage.part(stage.predicted, 0, p.n) + stage.part(stage.data, 0, p.n);
+  p.v = stage.part(stage.predicted, p.n, p.n) + stage.part(stage.data, p.n, p.n);
+  p.parts.finite->force.mass(p.v, p.b);
+  p.parts.finite->force.add_load(p.load_time(stage.t), stage.gamma, p.b);
+  p.v = stage.part(stage.predicted, p.n, p.n);
+  const double exact = std::max(contact_tolerance * p.tolerance, 1e-13 * p.speed);
+  const auto outcome = p.parts.finite->stage.solve(p.b, a, stage.gamma, p.tolerance, exact, p.v);
+  p.work.solves += outcome.solves;
+  p.work.factorisations += outcome.factorisations;
+  ++p.work.load_evaluations;
+  p.inverted = outcome.inverted;
+  if (outcome.converged && p.parts.contact) set_quadratures(p, stage, a, correction);
+  return outcome.converged;
 }
 
 // One implicit stage without forming f, linear but for contact:
@@ -73,9 +101,15 @@ int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vect
       ARK_SUCCESS)
     return -1;
   const double gamma = stage.gamma;
-  Factor& factor = p.parts.factors.at(gamma);
   const Vector data_u = stage.part(stage.data, 0, p.n), data_v = stage.part(stage.data, p.n, p.n),
                predicted_u = stage.part(stage.predicted, 0, p.n), predicted_v = stage.part(stage.predicted, p.n, p.n);
+  const auto give = [&] {
+    stage.part(correction, 0, p.n) = data_u + gamma * p.v;
+    stage.part(correction, p.n, p.n) = p.v - predicted_v;
+    return SUN_NLS_SUCCESS;
+  };
+  if (p.parts.finite) return solve_finite(p, stage, correction) ? give() : SUN_NLS_CONV_RECVR;
+  Factor& factor = p.parts.factors.at(gamma);
   p.u = predicted_u + data_u;
   p.parts.force.without_damping(p.load_time(stage.t), p.u, p.b);
   ++p.work.load_evaluations;
@@ -86,9 +120,7 @@ int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vect
   ++p.work.solves;
   if (!std::isfinite(p.v.sum())) return -1;
   if (p.parts.contact && !solve_contact(p, stage, factor, correction)) return SUN_NLS_CONV_RECVR;
-  stage.part(correction, 0, p.n) = data_u + gamma * p.v;
-  stage.part(correction, p.n, p.n) = p.v - predicted_v;
-  return SUN_NLS_SUCCESS;
+  return give();
 }
 
 SUNNonlinearSolver_Type root_finding(SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; }
@@ -120,46 +152,6 @@ ContactSum Problem::contact_at(const VectorXd& u_, const VectorXd& v_, VectorXd&
   return forces(forces.gather(u_), forces.gather(v_), f_C);
 }
 
-Factors::Factors(const System& system, double gamma, const ContactForces* contact)
-    : system_(system), contact_(contact) {
-  add(gamma);
-}
-
-void Factors::add(double gamma) {
-  used_.push_front({Shifted(system_, gamma), {}, true});
-  if (contact_) used_.front().stage.emplace(*contact_, system_.u0.size());
-}
-
-void Factors::forget() {
-  for (Factor& factor : used_) factor.current = false;
-  n_made_ = 0;
-}
-
-Factor& Factors::at(double gamma) {
-  // ARKODE recomputes an unchanged gamma with rounding.
-  const auto known = std::ranges::find_if(
-      used_, [&](const Factor& f) { return f.current && std::abs(gamma / f.A.gamma() - 1) <= 1e-12; });
-  if (known != used_.end()) {
-    used_.splice(used_.begin(), used_, known);
-    return used_.front();
-  }
-  ++n_made_;
-  const auto old = std::ranges::find(used_, false, &Factor::current);
-  if (old == used_.end() && used_.size() < most) return add(gamma), used_.front();
-  used_.splice(used_.begin(), used_, old != used_.end() ? old : std::prev(used_.end()));
-  used_.front().A.set_gamma(gamma);
-  if (contact_) used_.front().stage->forget();
-  used_.front().current = true;
-  return used_.front();
-}
-
-Parts::Parts(const System& system, double gamma, const std::vector<Contact>& contacts)
-    : force(system, UnbalancedForce::Mass::consistent),
-      mass(system.M),
-      M(system.M),
-      contact(contacts.empty() ? std::nullopt : std::optional<ContactForces>(contacts)),
-      factors(system, gamma, contact ? &*contact : nullptr) {}
-
 void FreeArkode::operator()(void* arkode) const { ARKStepFree(&arkode); }
 
 namespace {
@@ -177,6 +169,7 @@ VectorXd lightness_of_nodes(const System& system) {
 
 Run::Run(const System& system, Parts& parts, const Accuracy& accuracy) : problem_(system.u0.size(), parts) {
   parts.factors.forget();
+  if (parts.finite) parts.finite->stage.forget();
   const Index n = system.u0.size(), size = problem_.size();
   SUNContext context = nullptr;
   require(SUNContext_Create(nullptr, &context), "SUNContext_Create");
@@ -190,7 +183,9 @@ Run::Run(const System& system, Parts& parts, const Accuracy& accuracy) : problem
   const VectorXd lightness = lightness_of_nodes(system);
   Vector(NV_DATA_S(tolerance_.get()), n) = accuracy.tolerance * accuracy.scales.displacement * lightness;
   Vector(NV_DATA_S(tolerance_.get()) + n, n) = accuracy.tolerance * accuracy.scales.velocity * lightness;
-  problem_.tolerance = stage_tolerance * accuracy.tolerance * accuracy.scales.velocity;
+  problem_.tolerance =
+      (parts.finite ? finite_tolerance : stage_tolerance) * accuracy.tolerance * accuracy.scales.velocity;
+  problem_.speed = accuracy.scales.velocity;
   arkode_.reset(ARKStepCreate(nullptr, right_hand_side, 0, y_.get(), context));
   if (!arkode_) throw std::runtime_error("SUNDIALS: ARKStepCreate failed");
   configure(accuracy, context);
@@ -226,7 +221,7 @@ ContactSum Run::contact() { return problem_.contact_at(displacement(), velocity(
 
 Work Run::work() const {
   Work work = problem_.work;
-  work.factorisations = problem_.parts.factors.n_made();
+  work.factorisations += problem_.parts.factors.n_made();
   long attempts = 0;
   ARKStepGetNumSteps(arkode_.get(), &work.steps);
   ARKStepGetNumStepAttempts(arkode_.get(), &attempts);
@@ -249,6 +244,8 @@ void Run::configure(const Accuracy& accuracy, SUNContext context) {
   require(ARKStepSetNonlinearSolver(ark, stage_solver_.get()), "ARKStepSetNonlinearSolver");
   require(ARKStepSetDeduceImplicitRhs(ark, 1), "ARKStepSetDeduceImplicitRhs");
   // From rest, error control alone would step over a load that comes late.
+  // Where stages iterate, a guess: polynomials of a degree that falls with the distance.
+  if (problem_.parts.finite) require(ARKStepSetPredictorMethod(ark, 2), "ARKStepSetPredictorMethod");
   require(ARKStepSetMaxStep(ark, accuracy.longest_step), "ARKStepSetMaxStep");
   require(ARKStepSetAdaptivityFn(ark, step_on_the_grid, nullptr), "ARKStepSetAdaptivityFn");
   require(ARKStepSetSafetyFactor(ark, safety), "ARKStepSetSafetyFactor");
@@ -258,7 +255,8 @@ void Run::configure(const Accuracy& accuracy, SUNContext context) {
   require(ARKStepSetErrFile(ark, nullptr), "ARKStepSetErrFile");  // steps that fail are tried again, or have a status
 }
 
-Status status_of(int flag) {
+Status Run::status_of(int flag) const {
+  if (problem_.inverted) return Status::inverted;
   if (flag == ARK_TOO_MUCH_WORK) return Status::too_many_steps;
   return Status::no_convergence;
 }

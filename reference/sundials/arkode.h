@@ -3,6 +3,8 @@
 //   y = (u, v),        u' = v,   M v' = F s - C v - K u + f_contact(u, v)
 //   y = (u, v, J, D)   with contact: impulse J' = sum f [N s] and losses D' [J], by the quadrature of the scheme itself
 //
+// and with a stored energy r(u, v) in the place of C v + K u (mechanics/contact/finite_stage.h).
+//
 // Per stage (M + gamma C + gamma^2 K) v = ...: one SPD factor a gamma; contact is condensed onto the unknowns it acts
 // on (mechanics/contact/contact_stage.h). Included only within reference/sundials (SUNDIALS' door).
 #pragma once
@@ -14,6 +16,7 @@
 #include <optional>
 
 #include "mechanics/contact/contact_stage.h"
+#include "mechanics/contact/finite_stage.h"
 #include "mechanics/system/shifted.h"
 #include "mechanics/system/symmetric_product.h"
 #include "mechanics/system/unbalanced_force.h"
@@ -62,6 +65,13 @@ class Factors {
   long n_made_ = 0;
 };
 
+// Of a body with a stored energy.
+struct FiniteParts {
+  FiniteParts(const System& system, const ContactForces* contact) : force(system), stage(system, force, contact) {}
+  FiniteForce force;
+  FiniteStage stage;
+};
+
 // The parts that last: made once, used by every run.
 struct Parts {
   Parts(const System& system, double gamma, const std::vector<Contact>& contacts);
@@ -70,6 +80,7 @@ struct Parts {
   SymmetricProduct M;
   std::optional<ContactForces> contact;  // or none
   Factors factors;
+  std::unique_ptr<FiniteParts> finite;  // or none
 };
 
 // What one run needs at every callback. ARKODE sees it as user data and as the stage solver's content.
@@ -83,8 +94,10 @@ struct Problem {
   Index n;
   VectorXd b, u, v, f;
   void* arkode = nullptr;
-  double before = 0;     // [s] next breakpoint: loads are taken from its left
-  double tolerance = 0;  // [m/s] of contact stages
+  double before = 0;      // [s] next breakpoint: loads are taken from its left
+  double tolerance = 0;   // [m/s] of contact stages
+  double speed = 0;       // [m/s] its scale
+  bool inverted = false;  // the last state that was tried
   Work work;
 };
 
@@ -123,6 +136,7 @@ class Run {
   Vector quadratures() { return {NV_DATA_S(y_.get()) + 2 * problem_.n, problem_.parts.contact ? n_quadratures : 0}; }
   ContactSum contact();
   Work work() const;
+  Status status_of(int flag) const;  // of an evolution that failed
 
  private:
   void configure(const Accuracy& accuracy, SUNContext context);
@@ -134,7 +148,5 @@ class Run {
   Owned<SUNNonlinearSolver> stage_solver_;
   std::unique_ptr<void, FreeArkode> arkode_;
 };
-
-Status status_of(int flag);
 
 }  // namespace mb::ark

@@ -95,7 +95,7 @@ class SundialsInContact final : public Stepper {
       double t = now.t;
       const int flag = run.step(times[n_t - 1], t);
       if (flag < 0 || !run.displacement().allFinite()) {
-        out.status = flag < 0 ? ark::status_of(flag) : Status::not_finite;
+        out.status = flag < 0 ? run.status_of(flag) : Status::not_finite;
         break;
       }
       last = std::exchange(now, end(run, t));

@@ -76,7 +76,7 @@ class Sundials final : public Stepper {
       for (; stops_[next].t < times[k] && flag >= 0; ++next) flag = run.advance(stops_[next].t, stops_[next]);
       if (times[k] > 0 && flag >= 0) flag = run.advance(times[k], stops_[next]);
       if (flag < 0 || !run.displacement().allFinite()) {
-        out.status = flag < 0 ? ark::status_of(flag) : Status::not_finite;
+        out.status = flag < 0 ? run.status_of(flag) : Status::not_finite;
         break;
       }
       out.u.col(k) = run.displacement();

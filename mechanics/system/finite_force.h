@@ -1,0 +1,35 @@
+// What accelerates a body of finite deformation (stored_energy.h):
+//
+//   M v' = F s(t) - f(u, v) - alpha M (v - R R^T M v)
+//
+// R: rigid velocities about the present places, R^T M R = 1, so that mass-proportional damping brakes no rotation of
+// the body as it is, nor its free fall; v^T M (v - R R^T M v) >= 0.
+#pragma once
+
+#include "mechanics/system/stored_energy.h"
+#include "mechanics/system/symmetric_product.h"
+#include "mechanics/system/system.h"
+
+namespace mb {
+
+class FiniteForce {
+ public:
+  // The system must outlive this. Throws std::invalid_argument for one without a stored energy, for damping of single
+  // modes and as require_consistent.
+  explicit FiniteForce(const System& system);
+
+  // [N] n; false: the deformation inverts, f is not to be used. One thread at a time.
+  bool operator()(double t, const VectorXd& u, const VectorXd& v, VectorXd& f) const;
+  bool resistance(const VectorXd& u, const VectorXd& v, VectorXd& f) const;  // f(u, v) + alpha M (v - R R^T M v)
+  void add_load(double t, double factor, VectorXd& f) const;                 // f += factor F s(t)
+  void mass(const VectorXd& v, VectorXd& Mv) const { M_(v, Mv); }
+  MatrixXd rigid(const VectorXd& u) const;  // R, n x m
+
+ private:
+  const System& system_;
+  SymmetricProduct M_;
+  LoadFactors factors_;
+  mutable VectorXd Mv_, w_;
+};
+
+}  // namespace mb

@@ -1,0 +1,51 @@
+#include "reference/finite_answer.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "reference/impact_member.h"
+
+namespace mb {
+
+namespace {
+
+class PreparedFinite final : public Prepared {
+ public:
+  PreparedFinite(const Model& model, const Integrator& integrator, const Settings& settings)
+      : scene_(model.scene), displacement_{model.bodies[0].displacement, {}}, body_(model, 0) {
+    body_.start_at(0, integrator, settings);
+    stepper_ = integrator.prepare(body_.system(), settings, scene_->duration);
+  }
+
+  Trajectory simulate(const Sampling& sampling) const override {
+    if (sampling.shutter != 0) throw std::invalid_argument("no exact means of a body of finite kinematics");
+    const States states = stepper_->run(sampling.t);
+    Trajectory answer{sampling.t, {}, states.work, states.status};
+    BodyTrajectory body;
+    if (sampling.reconstruct) {
+      MatrixXd u = states.u;
+      u.rightCols(u.cols() - states.n_valid).setZero();
+      body.displacement = observe(displacement_, u, {});
+      if (sampling.strain) body.strain = body_.strain(u);
+    }
+    answer.bodies.push_back(std::move(body));
+    return answer;
+  }
+
+  Index n_unknowns() const override { return body_.n(); }
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+  Observation displacement_;
+  ImpactMember body_;
+  std::unique_ptr<Stepper> stepper_;
+};
+
+}  // namespace
+
+std::unique_ptr<Prepared> prepare_finite(const Model& model, const Integrator& integrator, const Settings& settings) {
+  if (model.bodies.size() != 1) throw std::invalid_argument("full order of finite kinematics: one body alone");
+  return std::make_unique<PreparedFinite>(model, integrator, settings);
+}
+
+}  // namespace mb

@@ -1,0 +1,134 @@
+// Two deformable bodies in full order.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cases/scene/one_body.h"
+#include "mechanics/contact/contact_steppers.h"
+#include "mechanics/system/newmark.h"
+#include "reference/full_model.h"
+#include "reference/full_order.h"
+#include "reference/sundials/sundials.h"
+
+namespace mb {
+namespace {
+
+constexpr double R = 0.05, speed = 1.5, layer = 2e11;  // [m], [m/s], [Pa/m]
+const Material rubber{5e6, 0.45, 1100};
+
+Integrator arkode() {
+  return {"sundials",
+          "",
+          [](const System& s, const Settings& set, double T) { return sundials(s, set.relative_tolerance, T); },
+          Integrator::Knob::tolerance,
+          false,
+          [](const System& s, const std::vector<Contact>& c, const Settings& set, double T) {
+            return sundials(s, c, set.relative_tolerance, T);
+          }};
+}
+
+Body ball(const std::string& name, Kinematics kinematics, const Vector3d& place, const Vector3d& velocity) {
+  Body body = one_body(Sphere{R}, rubber, {2, {1}}).bodies[0];
+  body.name = name;
+  body.kinematics = kinematics;
+  body.damping.beta = 2e-5;
+  body.pose.position = place;
+  body.twist.velocity = velocity;
+  return body;
+}
+
+struct Answered {
+  explicit Answered(const Scene& of)
+      : scene(std::make_shared<const Scene>(of)), model(build_model(scene)) {
+    Settings settings;
+    settings.relative_tolerance = 1e-5;
+    answer = full_order()->prepare(model, settings, arkode())->simulate({VectorXd::LinSpaced(81, 0, of.duration)});
+  }
+  const BodyTrajectory& body(size_t b) const { return answer.bodies.at(b); }
+  Vector3d centre(size_t b, Index k) const {  // [m] world
+    const auto& [X, w] = model.bodies[b].points.volume;
+    return (X + body(b).displacement.col(k).head(3 * X.cols()).reshaped(3, X.cols()).matrix()) * w / w.sum();
+  }
+  double mass(size_t b) const { return model.bodies[b].full->system().M.sum() / 3; }
+  std::shared_ptr<const Scene> scene;
+  Model model;
+  Trajectory answer;
+};
+
+Scene empty(double duration) {
+  Scene scene = one_body(Sphere{R}, rubber, {2, {1}});
+  scene.bodies.clear();
+  scene.duration = duration;
+  return scene;
+}
+
+// The plane of symmetry between two like balls is a rigid floor to either, whose layer half as deep is twice as stiff.
+class TwoLikeBalls : public ::testing::TestWithParam<Kinematics> {};
+
+TEST_P(TwoLikeBalls, MeetAsOneMeetsItsMirror) {
+  Scene both = empty(0.03);
+  both.bodies = {ball("upper", GetParam(), {0, 0, R + 1e-3}, {0, 0, -speed}),
+                 ball("lower", GetParam(), {0, 0, -R - 1e-3}, {0, 0, speed})};
+  both.contacts.push_back({.body = "upper", .obstacle = "lower", .stiffness = layer});
+  Scene one = empty(0.03);
+  one.bodies = {both.bodies[0]};
+  one.obstacles.push_back({"floor", {HalfSpace{}, 0, {}}});
+  one.contacts.push_back({.body = "upper", .obstacle = "floor", .stiffness = 2 * layer});
+  const Answered pair(both), single(one);
+  ASSERT_EQ(pair.answer.status, Status::ok);
+  const Touch &met = pair.body(0).contact.touches.at(0), &mirrored = single.body(0).contact.touches.at(0);
+  EXPECT_NEAR(met.start, mirrored.start, 1e-9);
+  EXPECT_NEAR(met.end, mirrored.end, 2e-3 * (mirrored.end - mirrored.start));
+  // Feet on the other's facets are off the mirrored points by the meshes' own error.
+  EXPECT_NEAR(met.peak_force, mirrored.peak_force, 3e-3 * mirrored.peak_force);
+  EXPECT_NEAR(met.impulse[2], mirrored.impulse[2], 1e-3 * mirrored.impulse[2]);
+}
+
+TEST_P(TwoLikeBalls, HandOverMomentumAndKeepEnergy) {
+  Scene scene = empty(0.03);
+  scene.bodies = {ball("small", GetParam(), {0, 0, R + 1e-3}, {0.2, 0, -speed}),
+                  ball("big", GetParam(), {0.01, 0, -R - 1e-3}, {0, 0, 0})};
+  scene.bodies[1].material.density *= 3;
+  scene.contacts.push_back({.body = "small", .obstacle = "big", .stiffness = layer});
+  const Answered run(scene);
+  ASSERT_EQ(run.answer.status, Status::ok);
+  const Index end = run.answer.t.size() - 1;
+  const ContactHistory &on_small = run.body(0).contact, &on_big = run.body(1).contact;
+  EXPECT_LT((on_small.impulse + on_big.impulse).norm(), 1e-14 * on_small.impulse.norm());
+  EXPECT_GT(on_small.impulse(2, end), run.mass(0) * speed);
+  // Velocities from two samples of free flight after it.
+  const double dt = run.answer.t[end] - run.answer.t[end - 10];
+  for (const size_t b : {0, 1}) {
+    const Vector3d v = (run.centre(b, end) - run.centre(b, end - 10)) / dt;
+    const Vector3d gained = run.mass(b) * (v - scene.bodies[b].twist.velocity);
+    EXPECT_LT((gained - run.body(b).contact.impulse.col(end)).norm(), 2e-5 * on_small.impulse.col(end).norm()) << b;
+  }
+  const VectorXd E = run.body(0).energy + run.body(1).energy;
+  const double brought = run.mass(0) * (speed * speed + 0.04) / 2;
+  EXPECT_NEAR(E[0], brought, 1e-12 * brought);
+  EXPECT_LT(E.maxCoeff(), (1 + 1e-3) * brought);  // the integrator's tolerance
+  EXPECT_GT(E[end], 0.5 * brought);
+  EXPECT_LT(E[end], 0.999 * brought);  // Rayleigh's damping
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinematics, TwoLikeBalls, ::testing::Values(Kinematics::linear, Kinematics::finite),
+                         [](const auto& of) { return std::string(to_string(of.param)); });
+
+// Of bodies of different kinematics each keeps its own.
+TEST(TwoBodies, AFiniteBallMeetsALinearOne) {
+  Scene scene = empty(0.02);
+  scene.bodies = {ball("soft", Kinematics::finite, {0, 0, R + 1e-3}, {0, 0, -speed}),
+                  ball("hard", Kinematics::linear, {0, 0, -R - 1e-3}, {0, 0, 0})};
+  scene.bodies[1].material.youngs_modulus *= 100;
+  scene.contacts.push_back({.body = "soft", .obstacle = "hard", .stiffness = layer});
+  const Answered run(scene);
+  ASSERT_EQ(run.answer.status, Status::ok);
+  const double J = run.body(0).contact.impulse(2, run.answer.t.size() - 1), m = run.mass(0) / 2;  // reduced mass
+  EXPECT_GT(J, 1.5 * m * speed);
+  EXPECT_LT(J, 2 * m * speed);
+  scene.bodies[0].damping.alpha = 1;  // not the other's
+  EXPECT_THROW(Answered{scene}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mb
