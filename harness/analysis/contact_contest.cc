@@ -23,7 +23,7 @@ void require_cells(int k) {
   if (k < 1 || k > 200) throw std::invalid_argument("contact contest: the number of cells is out of range");
 }
 
-HeightSamples heights(const PressedBody& body, const SurfaceSamples& samples) {
+HeightSamples heights(const PressedBody& body, const SurfacePoints& samples) {
   const Vector3d deepest = support_point(body.shape, body.down);
   return {-((samples.points.colwise() - deepest).transpose() * body.down), samples.weights};
 }
@@ -50,22 +50,22 @@ PressedBody pressed_body(const Shape& shape, const Vector3d& down, double depth)
   return {shape, down.normalized(), cap, std::sqrt(2 * cap.contact.energy), time_to_rest(law, depth)};
 }
 
-SurfaceSamples vertices_by_areas(const Shape& shape, int k) {
+SurfacePoints vertices_by_areas(const Shape& shape, int k) {
   require_cells(k);
   const TriangleMesh mesh = triangulate(shape, k);
   return {mesh.vertices, mesh.vertex_area};
 }
 
-SurfaceSamples vertices_by_equal(const Shape& shape, int k) {
-  const SurfaceSamples all = vertices_by_areas(shape, k);
+SurfacePoints vertices_by_equal(const Shape& shape, int k) {
+  const SurfacePoints all = vertices_by_areas(shape, k);
   return {all.points, VectorXd::Constant(all.weights.size(), all.weights.mean())};
 }
 
-SurfaceSamples uniform_quadrature(const Shape& shape, int k) {
+SurfacePoints uniform_quadrature(const Shape& shape, int k) {
   require_cells(k);
   const std::vector<SurfacePatch> patches = surface_patches(shape);
   const Index n = static_cast<Index>(patches.size()) * k * k;
-  SurfaceSamples all{Matrix3Xd(3, n), VectorXd(n)};
+  SurfacePoints all{Matrix3Xd(3, n), VectorXd(n)};
   Index at = 0;
   for (const SurfacePatch& patch : patches)
     for (int i = 0; i < k; ++i)
@@ -77,20 +77,20 @@ SurfaceSamples uniform_quadrature(const Shape& shape, int k) {
   return all;
 }
 
-SurfaceSamples region_quadrature(const PressedBody& body, Index n) {
+SurfacePoints region_quadrature(const PressedBody& body, Index n) {
   if (n < 24) throw std::invalid_argument("contact contest: fewer than 24 points in the region of contact");
   const Vector3d deepest = support_point(body.shape, body.down);
   const double largest = extent(body.shape), reach = body.cap.reach;
   const int edge = n < 100 ? 1 : 2;  // few points: one in each of up to 24 patches
   const auto rule = [&](double size) {
     const GradedRule found = graded_rule(body.shape, {deepest}, {size, 2 * largest, 0, edge}, reach);
-    return SurfaceSamples{found.points, found.weights};
+    return SurfacePoints{found.points, found.weights};
   };
   double coarse = 2 * largest, fine = reach * std::sqrt(pi / static_cast<double>(n)) * edge / 2;
-  SurfaceSamples best = rule(coarse);
+  SurfacePoints best = rule(coarse);
   for (int i = 0; i < 7; ++i) {
     const double size = std::sqrt(coarse * fine);
-    SurfaceSamples next = rule(size);
+    SurfacePoints next = rule(size);
     const bool fits = next.weights.size() <= n;
     (fits ? coarse : fine) = size;
     if (fits && next.weights.size() >= best.weights.size()) best = std::move(next);
@@ -98,7 +98,7 @@ SurfaceSamples region_quadrature(const PressedBody& body, Index n) {
   return best;
 }
 
-ContactErrors errors_of_samples(const PressedBody& body, const SurfaceSamples& samples) {
+ContactErrors errors_of_samples(const PressedBody& body, const SurfacePoints& samples) {
   const PlaneContact& exact = body.cap.contact;
   const HeightSamples all = heights(body, samples);
   const PlaneContact found = all.at(exact.depth);

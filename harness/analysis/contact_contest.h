@@ -41,18 +41,18 @@ struct PressedBody {
 };
 PressedBody pressed_body(const Shape& shape, const Vector3d& down, double depth);
 
-struct SurfaceSamples {
+struct SurfacePoints {
   Matrix3Xd points;  // [m] in the body's frame
   VectorXd weights;  // [m^2]
 };
 // About 6 k^2 (spheres) or 24 k^2 (superquadrics); k in 1..200.
-SurfaceSamples vertices_by_areas(const Shape& shape, int k);
-SurfaceSamples vertices_by_equal(const Shape& shape, int k);
-SurfaceSamples uniform_quadrature(const Shape& shape, int k);
+SurfacePoints vertices_by_areas(const Shape& shape, int k);
+SurfacePoints vertices_by_equal(const Shape& shape, int k);
+SurfacePoints uniform_quadrature(const Shape& shape, int k);
 // At most n >= 24 points within reach of the deepest one; as many as the halving of cells allows.
-SurfaceSamples region_quadrature(const PressedBody& body, Index n);
+SurfacePoints region_quadrature(const PressedBody& body, Index n);
 
-ContactErrors errors_of_samples(const PressedBody& body, const SurfaceSamples& samples);
+ContactErrors errors_of_samples(const PressedBody& body, const SurfacePoints& samples);
 ContactErrors errors_of_curvatures(const PressedBody& body);
 
 // Unit vectors [-] 3 x n, n >= 1, evenly spread: Fibonacci's lattice (Swinbank & Purser 2006, Q. J. R. Meteorol. Soc.

@@ -89,11 +89,11 @@ std::vector<Marks> contest(const Shape& shape, double depth, const ContactSizes&
   std::vector<Marks> all;
   for (const int edges : sizes.edges) {
     const int k = std::holds_alternative<Sphere>(shape) ? edges : edges / 2;
-    const auto add = [&](const char* name, const SurfaceSamples& samples) {
+    const auto add = [&](const char* name, const SurfacePoints& samples) {
       all.push_back(marks(name, static_cast<double>(samples.weights.size()), bodies,
                           [&](const PressedBody& body) { return errors_of_samples(body, samples); }));
     };
-    const SurfaceSamples by_area = vertices_by_areas(shape, k);
+    const SurfacePoints by_area = vertices_by_areas(shape, k);
     const Index n = by_area.weights.size();
     add(by_areas, by_area);
     add(by_equal, vertices_by_equal(shape, k));

@@ -43,7 +43,7 @@ TEST(ContactContest, PointsOfTheRegionAreWhereContactIs) {
   for (Index i = 0; i < down.cols(); ++i) {
     const PressedBody body = pressed_body(quartic, down.col(i), 0.01);
     for (const Index n : {24, 200, 1000}) {
-      const SurfaceSamples samples = region_quadrature(body, n);
+      const SurfacePoints samples = region_quadrature(body, n);
       EXPECT_LE(samples.weights.size(), n);
       EXPECT_GE(errors_of_samples(body, samples).depth, 0);
       // Enough to cover the cap, and n large: most of the points are in or next to it.

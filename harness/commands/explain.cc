@@ -27,7 +27,7 @@ struct Meaning {
 };
 
 Meaning of_catalogue(const std::string& kind, const std::string& name, const std::string& doc) {
-  const Formula formula = formula_of(name);
+  const FormulaAndSource formula = formula_of(name);
   return {kind, name, {{"", doc}, {"formula", formula.formula}, {"source", formula.source}}};
 }
 

@@ -6,10 +6,10 @@ namespace mb {
 
 namespace {
 
-const std::map<std::string, Formula>& methods() {
+const std::map<std::string, FormulaAndSource>& methods() {
   static const std::string craig = "Craig 1981, Structural Dynamics, sect. 15.5";
   static const std::string pentland = "Pentland and Williams 1989, Good Vibrations, Computer Graphics 23(3)";
-  static const std::map<std::string, Formula> all = {
+  static const std::map<std::string, FormulaAndSource> all = {
       {"full-order",
        {"M u'' + C u' + K u = F s(t), M_ij = int rho N_i N_j, K_ij = int B_i^T D B_j",
         "Hughes 1987, The Finite Element Method, ch. 7"}},
@@ -24,8 +24,8 @@ const std::map<std::string, Formula>& methods() {
   return all;
 }
 
-const std::map<std::string, Formula>& integrators() {
-  static const std::map<std::string, Formula> all = {
+const std::map<std::string, FormulaAndSource>& integrators() {
+  static const std::map<std::string, FormulaAndSource> all = {
       {"exact",
        {"q_i'' + c_i q_i' + lambda_i q_i = phi_i^T F s(t) in closed form on each piece of s(t)",
         "Craig 1981, Structural Dynamics, sect. 5.2"}},
@@ -48,9 +48,9 @@ const std::map<std::string, Formula>& integrators() {
   return all;
 }
 
-const std::map<std::string, Formula>& analyses() {
+const std::map<std::string, FormulaAndSource>& analyses() {
   static const std::string ours = "this suite: harness/analysis/analyses.h";
-  static const std::map<std::string, Formula> all = {
+  static const std::map<std::string, FormulaAndSource> all = {
       {"budget",
        {"modal(dt) -> modal(exact in t) -> full order, same mesh -> finer; total^2 = sum of squares + cross terms",
         ours}},
@@ -89,7 +89,7 @@ const std::map<std::string, Formula>& analyses() {
 
 }  // namespace
 
-Formula formula_of(const std::string& name) {
+FormulaAndSource formula_of(const std::string& name) {
   for (const auto* table : {&methods(), &integrators(), &analyses()})
     if (const auto it = table->find(name); it != table->end()) return it->second;
   return {};

@@ -6,9 +6,9 @@
 
 namespace mb {
 
-struct Formula {
+struct FormulaAndSource {
   std::string formula, source;  // plain text
 };
-Formula formula_of(const std::string& name);  // empty texts for a name that is not known
+FormulaAndSource formula_of(const std::string& name);  // empty texts for a name that is not known
 
 }  // namespace mb

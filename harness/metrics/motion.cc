@@ -2,12 +2,12 @@
 
 namespace mb {
 
-Motion motion(const Trajectory& trajectory, const MetricContext& context) {
+FramedMotion motion(const Trajectory& trajectory, const MetricContext& context) {
   const auto& [volume, surface, probes] = context.points;
   const MatrixXd& u = trajectory.bodies[static_cast<std::size_t>(context.body)].displacement;
   const Index n_volume = 3 * volume.points.cols(), n_surface = 3 * surface.points.cols();
   const Vector3d X_c = centroid(volume.points, volume.weights);
-  Motion result{{}, u.topRows(n_volume), u.middleRows(n_volume, n_surface)};
+  FramedMotion result{{}, u.topRows(n_volume), u.middleRows(n_volume, n_surface)};
   for (Index k = 0; k < u.cols(); ++k) {
     if (!context.free) {
       result.frames.push_back({X_c, Eigen::Matrix3d::Identity()});

@@ -8,12 +8,12 @@
 
 namespace mb {
 
-struct Motion {
+struct FramedMotion {
   std::vector<RigidFrame> frames;  // one a time; of a body that is not free: at rest
   MatrixXd volume;                 // [m] 3 p_volume x n_t deformation
   MatrixXd surface;                // [m] 3 p_surface x n_t, in the same frames
 };
 
-Motion motion(const Trajectory& trajectory, const MetricContext& context);
+FramedMotion motion(const Trajectory& trajectory, const MetricContext& context);
 
 }  // namespace mb

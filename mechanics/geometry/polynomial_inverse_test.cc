@@ -16,7 +16,7 @@ using namespace testing;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(PolynomialInverseVerification, RigidMotionsAndAffineMapsInvertInOneStep) {
-  Random random;
+  RandomMaps random;
   const std::vector<Matrix3d> matrices = {
       Matrix3d::Identity(), Eigen::AngleAxisd(2.5, Vector3d(1, 2, -1).normalized()).toRotationMatrix(),
       Vector3d(0.3, 2, 1.1).asDiagonal().toDenseMatrix(), (Matrix3d() << 1, 0.9, -3, 0, 1, 0.2, 0, 0, 0.5).finished()};
@@ -97,7 +97,7 @@ TEST(PolynomialInverse, KeepsToTheRegionOfValidity) {
 // Wherever |grad u| < 1 in axes scaled to the box the map is one to one: the inverse must be X itself. Its error is the
 // residual, and the rounding of x, over the least singular value of F in those axes (> 1 - 0.8).
 TEST(PolynomialInverseVerification, OfForwardIsX) {
-  Random random;
+  RandomMaps random;
   for (int degree = 1; degree <= 8; ++degree)
     for (const Vector3d& half : {Vector3d(1, 0.7, 1.3), Vector3d(0.5, 0.01, 0.02)})
       for (const double distance : {0.0, 1e3}) {
@@ -124,7 +124,7 @@ TEST(PolynomialInverseVerification, OfForwardIsX) {
 
 // Strongly deformed bodies: each point of the body whose image is unfolded has an inverse, if not always that point.
 TEST(PolynomialInverse, SolvesItsEquationUnderLargeDeformation) {
-  Random random;
+  RandomMaps random;
   int found = 0, asked = 0;
   for (int trial = 0; trial < 100; ++trial) {
     const Monomials m(3, {0, 0, 0}, {1, 0.1, 0.3});
@@ -148,7 +148,7 @@ TEST(PolynomialInverse, SolvesItsEquationUnderLargeDeformation) {
 // X -> -X(-x): every start, step and decision is that of the original, mirrored. Maps with folds and points without an
 // inverse, where it matters which way a step leaves the region.
 TEST(PolynomialInverse, MirroredMapsHaveMirroredInverses) {
-  Random random;
+  RandomMaps random;
   const Monomials m(4, {0, 0, 0}, {1, 0.5, 0.2});
   int found = 0, missing = 0;
   for (int trial = 0; trial < 200; ++trial) {

@@ -20,7 +20,7 @@ const std::vector<Monomials> bodies = {Monomials(3, {0, 0, 0}, {1, 1, 1}),
                                        Monomials(8, {-4, 0, 0.3}, {0.02, 0.05, 0.03})};
 
 TEST(PolynomialMap, ManyPointsAtOnceAreTheSingleOnes) {
-  Random random;
+  RandomMaps random;
   for (const Monomials& m : bodies) {
     const PolynomialMap map(m, random.coefficients(m, 0.1));
     const Matrix3Xd X = random.points(m, 19, 1.5), x = map.positions(X),
@@ -39,7 +39,7 @@ TEST(PolynomialMap, ManyPointsAtOnceAreTheSingleOnes) {
 
 // The nested scheme against the sum over monomials.
 TEST(PolynomialMap, IsTheSumOfItsMonomials) {
-  Random random;
+  RandomMaps random;
   for (const Monomials& m : bodies) {
     const Matrix3Xd a = random.coefficients(m, 0.1), X = random.points(m, 20);
     const PolynomialMap map(m, a);
@@ -57,7 +57,7 @@ TEST(PolynomialMap, IsTheSumOfItsMonomials) {
 // Central differences over d = 1e-5 half extents: d^2 u''' / 6 ~ 1e-9, rounding eps |x - c| / d ~ 1e-11, more where |c|
 // is far larger than the body (both in units of the largest entry of F scaled to the box).
 TEST(PolynomialMap, GradientByDifferences) {
-  Random random;
+  RandomMaps random;
   for (const Monomials& m : bodies) {
     const PolynomialMap map(m, random.coefficients(m, 0.1));
     const Vector3d& h = m.half_extents();
@@ -84,7 +84,7 @@ TEST(PolynomialMap, DegreeIsThatOfTheLastCoefficientsNotZero) {
 }
 
 TEST(PolynomialMap, BoundsHold) {
-  Random random;
+  RandomMaps random;
   for (const Monomials& m : bodies) {
     const PolynomialMap map(m, random.coefficients(m, 0.1));
     const Matrix3Xd X = random.points(m, 200), F = map.gradients(X);

@@ -7,7 +7,7 @@
 
 namespace mb::testing {
 
-class Random {
+class RandomMaps {
  public:
   double operator()() { return uniform_(generator_); }
   Vector3d vector() { return {(*this)(), (*this)(), (*this)()}; }

@@ -24,7 +24,7 @@ inline MatrixXd modes(const Matrix3Xd& X, const std::vector<Field>& fields) {
   return U;
 }
 
-// Random points in the box with random weights: nothing about them is symmetric.
+// RandomMaps points in the box with random weights: nothing about them is symmetric.
 inline Samples scattered(const Vector3d& centre, const Vector3d& half, Index n) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-1, 1);

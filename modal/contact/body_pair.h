@@ -1,4 +1,4 @@
-// One body against another, as contact_pair.h has it against an obstacle. Sample i of body a, at x, meets the surface
+// One body against another, as sampled_pair.h has it against an obstacle. Sample i of body a, at x, meets the surface
 // of body b, the shape carried by its modes, in a foot Y of b's frame:
 //
 //   x_b(Y) = c_b + Q_b (Y + sum_k q_k phi_k(Y)),   n = F^-T grad d / |F^-T grad d|,   F = 1 + grad u_b,

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "modal/contact/body_pair.h"
-#include "modal/contact/contact_pair.h"
+#include "modal/contact/sampled_pair.h"
 
 namespace mb {
 

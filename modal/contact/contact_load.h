@@ -38,7 +38,7 @@ struct Looked {
 };
 
 class BodyPair;
-class ContactPair;
+class SampledPair;
 
 class ContactLoads {
  public:
@@ -69,7 +69,7 @@ class ContactLoads {
   };
   struct OfBody {
     size_t body;
-    std::unique_ptr<ContactPair> pair;
+    std::unique_ptr<SampledPair> pair;
   };
   struct OfTwo {
     size_t a, b;

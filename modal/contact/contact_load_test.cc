@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "modal/contact/contact_pair.h"
 #include "modal/contact/floating_bodies_test.h"
+#include "modal/contact/sampled_pair.h"
 #include "modal/contact/turn.h"
 
 namespace mb {

@@ -1,6 +1,6 @@
-#include "modal/contact/contact_pair.h"
 #include "modal/contact/reach.h"
 #include "modal/contact/sample_tables.h"
+#include "modal/contact/sampled_pair.h"
 
 namespace mb {
 
@@ -10,7 +10,7 @@ namespace {
 //
 // The rows n_b^T Phi_i and n_b^T Psi_i stand together in the order of the samples in reach, so that gaps and forces of
 // all of them are products with two narrow matrices; of static shapes, a few, shape by shape: long sums.
-class FlatPair final : public ContactPair {
+class FlatPair final : public SampledPair {
  public:
   FlatPair(const FloatingBody& body, const SampledContact& contact)
       : body_(body),
@@ -171,7 +171,7 @@ class FlatPair final : public ContactPair {
 
 }  // namespace
 
-std::unique_ptr<ContactPair> flat_pair(const FloatingBody& body, const SampledContact& contact) {
+std::unique_ptr<SampledPair> flat_pair(const FloatingBody& body, const SampledContact& contact) {
   return std::make_unique<FlatPair>(body, contact);
 }
 

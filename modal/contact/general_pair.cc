@@ -1,12 +1,12 @@
-#include "modal/contact/contact_pair.h"
 #include "modal/contact/reach.h"
 #include "modal/contact/sample_tables.h"
+#include "modal/contact/sampled_pair.h"
 
 namespace mb {
 
 namespace {
 
-class GeneralPair final : public ContactPair {
+class GeneralPair final : public SampledPair {
  public:
   GeneralPair(const FloatingBody& body, const SampledContact& contact)
       : body_(body),
@@ -120,7 +120,7 @@ class GeneralPair final : public ContactPair {
 
 }  // namespace
 
-std::unique_ptr<ContactPair> general_pair(const FloatingBody& body, const SampledContact& contact) {
+std::unique_ptr<SampledPair> general_pair(const FloatingBody& body, const SampledContact& contact) {
   return std::make_unique<GeneralPair>(body, contact);
 }
 

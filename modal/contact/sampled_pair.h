@@ -8,9 +8,9 @@
 
 namespace mb {
 
-class ContactPair {
+class SampledPair {
  public:
-  virtual ~ContactPair() = default;
+  virtual ~SampledPair() = default;
   // Takes in a state: the samples in reach, their gaps and rates but for the static shapes. Omega [rad/s] world.
   virtual void look(const BodyState& state, const Vector3d& Omega) = 0;
   // Adds sum Psi_i^T Q^T f_i to f_s and what it loses by s, - d f_s / d s, to H.
@@ -24,8 +24,8 @@ class ContactPair {
 };
 
 // Against a half-space without friction. The body and the contact must outlive them.
-std::unique_ptr<ContactPair> flat_pair(const FloatingBody& body, const SampledContact& contact);
+std::unique_ptr<SampledPair> flat_pair(const FloatingBody& body, const SampledContact& contact);
 // Against anything.
-std::unique_ptr<ContactPair> general_pair(const FloatingBody& body, const SampledContact& contact);
+std::unique_ptr<SampledPair> general_pair(const FloatingBody& body, const SampledContact& contact);
 
 }  // namespace mb
