@@ -219,15 +219,17 @@ TEST(GradedModelVerification, ALocalLoadConvergesFasterThanOnEvenMeshes) {
   EXPECT_LT(n_graded, n_even);
 }
 
-TEST(GradedModel, TakesAnOverridingResolutionUngradedWhereNothingTouches) {
+TEST(GradedModel, TakesAMeshOfEveryBodyUngradedWhereNothingTouches) {
   Scene scene = above_floor(sphere, {1, {1}}, up);
   scene.bodies.push_back(scene.bodies[0]);
   scene.bodies[1].name = "aloof";
-  const Resolution graded{1, {2}, 2};
+  const Resolution graded{1, {2}, 2, {{1, {2}, 2}}};
   const Model both = build_model(std::make_shared<Scene>(scene), &graded);
   EXPECT_GT(both.bodies[0].full->n_cells(), 56);
   EXPECT_EQ(both.bodies[1].full->n_cells(), 56);
   EXPECT_THROW(full_model(scene, scene.bodies[1], graded), std::invalid_argument);
+  const Resolution of_one{1, {2}, 2};
+  EXPECT_THROW(build_model(std::make_shared<Scene>(scene), &of_one), std::invalid_argument);
 }
 
 }  // namespace

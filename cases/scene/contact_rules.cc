@@ -36,7 +36,11 @@ void check_start(Section& section) {
 
 // A body that meets nothing is a scene of its own. drafts: whether all contacts could be read.
 void check_company(Section& root, const std::vector<BodyDraft>& bodies, const ContactDrafts& contacts) {
-  const std::vector<Section> sections = root.sections("body", {1, 64});
+  const std::vector<Section> sections = root.sections("body", {1, 64}), met = root.sections("contact", {0, 64});
+  if (bodies.size() > 1 && met.size() > 1)
+    root.findings().error(met[1].where(),
+                          "scenes of several bodies with more than one contact are understood, but cannot be simulated "
+                          "yet: two bodies, and one contact of them");
   for (size_t i = 0; bodies.size() > 1 && i < bodies.size() && i < sections.size(); ++i) {
     const BodyDraft& body = bodies[i];
     if (body.name && contacts.all_bodies_known && !contacts.bodies.contains(*body.name))

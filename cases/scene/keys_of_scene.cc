@@ -35,7 +35,7 @@ const std::vector<KeyGroup>& scene_keys() {
          "600"},
         {"time.samples_from", "a number", "[0, 100000]", "s", "0",
          "the first of them, in scenes with contact: the flight before is known", ""}}},
-      {"`[[body]]` (exactly one)",
+      {"`[[body]]` (one or more)",
        {{"body.name", "a name", "", "", "required", "by which loads, probes and profiles refer to it", "\"block\""},
         {"body.kinematics", "one of linear, finite", "", "", "linear",
          "linear: small strain, and in full order small rotations; finite: a compressible neo-Hookean body in full "

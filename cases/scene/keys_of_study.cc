@@ -30,11 +30,11 @@ const std::vector<KeyGroup>& study_keys() {
          "[0, 4, 16]"},
         {"study.contact_steps", "an array of 1 to 64 numbers", "(0, 1]", "s", "required in scenes with contact",
          "while bodies touch, of methods in closed form; only in scenes with contact", ""},
-        {"study.rotation", "an array of 1 to 3 of rigid, coupled, unstiffened", "", "", "[\"rigid\"]",
-         "of methods in closed form, each with each: what a free body's spin does to its modes and they to it: "
-         "nothing; "
-         "centrifugal, gyroscopic and stiffening terms; these without stiffening; only in scenes with contact",
-         "[\"coupled\"]"},
+        {"study.rotation", "an array of 1 to 64 rotations", "", "", "[\"rigid\"]",
+         "of methods in closed form, each with each: what a free body's spin does to its modes and they to it. rigid: "
+         "nothing; coupled: centrifugal, gyroscopic and stiffening terms; unstiffened: the first two; only in scenes "
+         "with contact",
+         ""},
         {"study.load_tolerance", "a number", "[1e-9, 0.1]", "", "1e-5",
          "error allowed where a chirp or expression is resampled for the closed form, relative to its peak", ""},
         {"study.analyses", "an array of 1 to 64 analyses", "", "", "none",
@@ -47,9 +47,8 @@ const std::vector<KeyGroup>& study_keys() {
         {"study.rival.degrees", "an array of 1 to 4 integers", "[1, 4]", "", "required", "ascending", "[1, 2]"},
         {"study.rival.cells", "an array of 1 to 64 arrays of 1 to 3 integers", "[0, 1024]", "", "required",
          "as `cells` of a mesh", "[[1, 1, 2], [2, 2, 4]]"},
-        {"study.rival.second_cells", "as many arrays of 1 to 3 integers as `cells`", "[0, 1024]", "",
-         "the second body's own mesh", "of the second body, at the same degrees; further ones keep their own meshes",
-         ""},
+        {"study.rival.second_cells", "an array of 1 to 64 arrays of 1 to 3 integers", "[0, 1024]", "",
+         "the second body's own mesh", "of the second body, as many as `cells`, at the same degrees", ""},
         {"study.rival.graded", "an integer", "[0, 12]", "", "0", "of all these meshes, as `graded` of a mesh", ""},
         {"study.rival.time_steps", "an array of 1 to 64 numbers", "1e-6 to 1 times the shortest duration", "s",
          "required for fixed steps", "not for adaptive integrators", "[0.01, 0.001]"},

@@ -53,16 +53,18 @@ class ContactReader {
  public:
   ContactReader(const std::vector<BodyDraft>& bodies, std::vector<ObstacleDraft> obstacles)
       : bodies_(names_of(bodies)), obstacles_(std::move(obstacles)), partners_(names_of(obstacles_)) {
-    partners_.insert(partners_.end(), bodies_.begin(), bodies_.end());
+    if (in_company()) partners_.insert(partners_.end(), bodies_.begin(), bodies_.end());
   }
 
   void read(Section section) {
-    MeetingDraft meeting{read_reference(section, "body", bodies_, "body", "bodies"),
-                         read_reference(section, "obstacle", partners_, "obstacle or body", "obstacles and bodies"),
-                         read_law(section),
-                         false,
-                         section.where(),
-                         section.where("law")};
+    MeetingDraft meeting{
+        read_reference(section, "body", bodies_, "body", "bodies"),
+        in_company() ? read_reference(section, "obstacle", partners_, "obstacle or body", "obstacles and bodies")
+                     : read_reference(section, "obstacle", partners_, "obstacle", "obstacles"),
+        read_law(section),
+        false,
+        section.where(),
+        section.where("law")};
     const bool hertz = meeting.law == ContactLaw::hertz;
     const auto stiffness = section.number_or("auto", 0, "stiffness", hertz ? hertz_range : stiffness_range);
     const double damping = section.number("damping", damping_range, 0);
@@ -110,7 +112,7 @@ class ContactReader {
   }
 
   void note(Section& section, const MeetingDraft& meeting) {
-    drafts_.all_bodies_known = drafts_.all_bodies_known && meeting.body;
+    drafts_.all_bodies_known = drafts_.all_bodies_known && meeting.body && (meeting.obstacle || !in_company());
     all_obstacles_known_ = all_obstacles_known_ && meeting.obstacle;
     if (meeting.body) drafts_.bodies.insert(*meeting.body);
     if (is_body(meeting.obstacle)) drafts_.bodies.insert(*meeting.obstacle);
@@ -119,6 +121,8 @@ class ContactReader {
     section.findings().error(section.where(), fmt::format("there is another [[contact]] of body '{}' and obstacle '{}'",
                                                           *meeting.body, *meeting.obstacle));
   }
+
+  bool in_company() const { return bodies_.size() > 1; }
 
   std::vector<std::optional<std::string>> bodies_;
   std::vector<ObstacleDraft> obstacles_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace mb {
 
@@ -32,7 +33,10 @@ std::string to_string(const Resolution& resolution) {
 }
 
 Resolution of_body(const Resolution& scene_mesh, std::size_t body) {
-  if (body > 0) return scene_mesh.others.at(body - 1);
+  if (body > 0) {
+    if (body > scene_mesh.others.size()) throw std::invalid_argument("a mesh of the scene has none for every body");
+    return scene_mesh.others[body - 1];
+  }
   Resolution first = scene_mesh;
   first.others.clear();
   return first;

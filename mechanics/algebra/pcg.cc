@@ -28,6 +28,10 @@ PcgSolution pcg(const SparseMatrix& A, const VectorXd& b, const LinearMap& preco
   VectorXd x = VectorXd::Zero(b.size());
   if (scale == 0) return {x, 0, 0};
   const auto preconditioned = [&](const VectorXd& r) { return project ? project(precondition(r)) : precondition(r); };
+  // 4: the sums of a row round more than once.
+  const auto small_enough = [&](const VectorXd& at) {
+    return std::max(tolerance * scale, 4 * rounding_of_product(A, at));
+  };
 
   VectorXd r = b, p = VectorXd::Zero(b.size());
   double rho = 0;
@@ -47,11 +51,10 @@ PcgSolution pcg(const SparseMatrix& A, const VectorXd& b, const LinearMap& preco
                                            curvature, r.norm() / scale));
     x += (rho / curvature) * p;
     r -= (rho / curvature) * Ap;
-    restart = r.norm() <= tolerance * scale;
+    restart = r.norm() <= small_enough(x);
     if (!restart) continue;
     r = b - A * x;
-    // 4: the sums of a row round more than once.
-    if (r.norm() <= std::max(tolerance * scale, 4 * rounding_of_product(A, x))) return {x, iteration, r.norm() / scale};
+    if (r.norm() <= small_enough(x)) return {x, iteration, r.norm() / scale};
   }
   throw std::runtime_error(fmt::format("pcg: |r|/|b| = {:.1e} after {} iterations, wanted {:.1e}", r.norm() / scale,
                                        max_iterations, tolerance));

@@ -123,6 +123,7 @@ std::variant<Diagonal, Bordered> dynamic_stiffness(const System& system) {
 
 void check(const System& system) {
   require_consistent(system);
+  if (system.viscous.rows() > 0) throw std::invalid_argument("frequency response: of one body alone");
   const MatrixXd& W = system.modal_damping.W;
   // R^T W = R^T M Phi is 0 for elastic modes, at most 1 for what is M-orthonormal.
   if (system.R.cols() > 0 && W.cols() > 0 && !((system.R.transpose() * W).cwiseAbs().maxCoeff() <= 1e-6))

@@ -122,6 +122,8 @@ ModalForm dense(const System& system) {
 
 ModalForm modal_form(const System& system) {
   require_consistent(system);
+  if (system.viscous.rows() > 0)
+    throw std::invalid_argument("modal form: damping of bodies side by side is not that of modes");
   if (is_diagonal(system.M) && is_diagonal(system.K) && (VectorXd(system.M.diagonal()).array() == 1).all()) {
     VectorXd lambda = without_rounding(system.K.diagonal(), system.R.cols());
     ModalCoefficients damping = coefficients(lambda, system.modal_damping.W, system);

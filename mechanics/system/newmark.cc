@@ -54,6 +54,7 @@ void Newmark::right_hand_side(const Motion& x, const VectorXd& a, const VectorXd
     K_(z, w);
     b.noalias() += beta * w;
   }
+  if (system_.viscous.rows() > 0) b.noalias() += system_.viscous * z;
   if (!s.isZero(0)) b.noalias() += system_.F * s;
 }
 

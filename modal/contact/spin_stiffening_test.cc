@@ -33,12 +33,14 @@ TEST(SpinStiffening, WithoutItTheMeshsIntegralsAreThoseOfAnyQuadrature) {
   const Quadrature volume = volume_quadrature(Box{{0.3, 0.1, 0.05}});
   const MatrixXd at = rod.full->displacement_at(volume.points) * Phi;
   const SpinCoupling of_points = spin_coupling(volume.points, 7800 * volume.weights, at);
-  // Quadratic fields on twice as many cells a side, by Gauss points over the whole box.
-  const auto near = [](const MatrixXd& a, const MatrixXd& b) { return (a - b).norm() <= 2e-3 * b.norm() + 1e-4; };
+  // Fields with kinks where cells meet, by Gauss points over the whole box.
+  const auto near = [](const MatrixXd& a, const MatrixXd& b) { return (a - b).norm() < 0.03 * b.norm() + 1e-4; };
   EXPECT_TRUE(near(of_mesh.A, of_points.A));
   for (size_t k = 0; k < 6; ++k) EXPECT_TRUE(near(of_mesh.H[k], of_points.H[k])) << k;
   for (size_t k = 0; k < 3; ++k) EXPECT_TRUE(near(of_mesh.D[k], of_points.D[k])) << k;
   EXPECT_EQ(of_mesh.s, 0);
+  const MatrixXd sum = of_mesh.H[0] + of_mesh.H[1] + of_mesh.H[2];  // 2 Phi^T M Phi
+  EXPECT_LT((sum - 2 * MatrixXd::Identity(sum.rows(), sum.cols())).norm(), 1e-9);
 }
 
 // A rod that spins about its middle pulls with N = rho A Omega^2 (l^2/4 - x^2)/2, which stiffens bending by int N w'^2
