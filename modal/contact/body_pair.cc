@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "mechanics/geometry/signed_distance.h"
 #include "modal/contact/sample_tables.h"
@@ -10,8 +11,11 @@ namespace mb {
 
 namespace {
 
-constexpr int n_rounds = 2;     // of a foot; each leaves the strain's part of the error
-constexpr double surely = 0.8;  // [-] of a distance at rest, of what is far: no strain takes more
+constexpr int n_rounds = 2;          // of a foot at most; each leaves the strain's part of the error
+constexpr double still = 1e-4;       // [-] of the size: a foot that moves no farther is found, to second order
+constexpr double surely = 0.8;       // [-] of a distance at rest, of what is far: no strain takes more
+constexpr double most_scaled = 1.1;  // [-] of a foot, by the box in which the modes are known
+constexpr double far = 1.5;          // [-] by the largest displacements: what is left is near the distance
 
 // Of theta -> theta x arm.
 Eigen::Matrix3d turning(const Vector3d& arm) {
@@ -34,7 +38,7 @@ BodyPair::BodyPair(const FloatingBody& a, const FloatingBody& b, const SampledCo
       tables_(tables_of(contact)),
       Phi_(tables_->Phi),
       Psi_(tables_->Psi),
-      Psi_b_(surface_.Psi.transpose()),
+      Psi_b_(surface_.Psi),
       feet_(surface_.feet) {}
 
 void BodyPair::look(const Moving& a, const Moving& b) {
@@ -56,6 +60,7 @@ void BodyPair::look(const Moving& a, const Moving& b) {
     const Vector3d own = a.state->v + a.Omega.cross(arm) + Q_a_ * (Phi.transpose() * *a.rate);
     near.v = own - (b.state->v + b.Omega.cross(Q_b_ * near.y) + Q_b_ * rate_->displacement(near.Y));
   }
+  clearance_ = std::min(least_gap(), reach_.beyond(*a.state, b.state));
 }
 
 void BodyPair::find_foot(Index i, Near& near) const {
@@ -63,7 +68,9 @@ void BodyPair::find_foot(Index i, Near& near) const {
   near.Y = feet_.col(i);
   for (int round = 0; round < n_rounds; ++round) {
     const auto at = map_->at(near.Y);
+    const Vector3d before = near.Y;
     near.Y = projected(surface_.shape, near.Y + at.F.inverse() * (y - at.x));
+    if ((near.Y - before).squaredNorm() < still * still * surface_.radius * surface_.radius) break;
   }
   const auto at = map_->at(near.Y);
   near.y = at.x;
@@ -73,10 +80,22 @@ void BodyPair::find_foot(Index i, Near& near) const {
   near.n = Q_b_ * normal;
 }
 
-// Lower bounds of what is far, by distances of the shape at rest from where the points would be then.
+// Lower bounds of what is far: of both at rest less all that strains can do; else by distances of the shape at rest
+// from where the points would be then.
 VectorXd BodyPair::gaps() const {
   VectorXd all(contact_.samples.w.size());
+  const auto most = [](const auto& of, const BodyState& state) {
+    return of.largest_q.dot(state.q.cwiseAbs()) + of.largest_s.dot(state.s.cwiseAbs());
+  };
+  const double loose = most(*tables_, *at_a_.state) + most(surface_, *at_b_.state);
+  const Eigen::Matrix3d turn = Q_b_.transpose() * Q_a_;
+  const Vector3d apart = Q_b_.transpose() * (at_a_.state->c - at_b_.state->c);
   for (Index i = 0; i < all.size(); ++i) {
+    const double at_rest = signed_distance_value(surface_.shape, apart + turn * contact_.samples.X.col(i));
+    if (at_rest > far * loose) {
+      all[i] = at_rest - loose;
+      continue;
+    }
     const Vector3d u =
         Phi_.middleCols(3 * i, 3).transpose() * at_a_.state->q + Psi_.middleCols(3 * i, 3).transpose() * at_a_.state->s;
     const Vector3d x = at_a_.state->c + Q_a_ * (contact_.samples.X.col(i) + u);
@@ -92,6 +111,21 @@ double BodyPair::least_gap() const {
   double least = std::numeric_limits<double>::infinity();
   for (const Near& near : near_) least = std::min(least, near.gap);
   return least;
+}
+
+double BodyPair::shaking(const Moving& a, const Moving& b) const {
+  const auto swing = [](const FloatingBody& body, const BodyState& state, const VectorXd& rate) {
+    VectorXd all(body.n_modes());
+    for (Index k = 0; k < all.size(); ++k) {
+      const double lambda = body.modes[static_cast<size_t>(k)].k, rest = lambda > 0 ? body.weight[k] / lambda : 0;
+      all[k] = std::hypot(rate[k], std::sqrt(lambda) * (state.q[k] - rest));
+    }
+    return all;
+  };
+  const Index i = reach_[0];
+  const VectorXd of_a = swing(a_, *a.state, *a.rate), of_b = swing(b_, *b.state, *b.rate);
+  const MatrixXd Phi_b = surface_.geometry.at(feet_.col(i));
+  return 3 * ((Phi_.middleCols(3 * i, 3).transpose() * of_a.asDiagonal()).norm() + (Phi_b * of_b.asDiagonal()).norm());
 }
 
 Eigen::Matrix<double, 3, Eigen::Dynamic> BodyPair::rows(Index i) const {
@@ -141,6 +175,9 @@ void BodyPair::act(const VectorXd& s, ContactLoad& a, ContactLoad& b) {
     const auto [value, x, t] = *press(k, s);
     a.least_gap = std::min(a.least_gap, value);
     if (!(value < 0)) continue;
+    if ((surface_.geometry.monomials().scaled(near.Y).array().abs() > most_scaled).any())
+      throw std::runtime_error(
+          "a contact has gone farther from where two bodies first touched than their modes are known");
     const double w = contact_.samples.w[i];
     const Vector3d f = w * t.t;
     a.force += f;

@@ -29,8 +29,11 @@ class BodyPair {
     Vector3d Omega;
     const VectorXd* rate;  // q'
   };
-  void look(const Moving& a, const Moving& b);
+  void look(const Moving& a, const Moving& b);  // what follows but `shaking` is of these, which must live on for it
   double least_gap() const;  // [m] of the samples looked at, but for the static shapes; infinity: none is in reach
+  double clearance() const { return clearance_; }  // [m] a lower bound of all samples' gaps, likewise
+  // [m/s] of both surfaces where they were nearest, from these states on (meetings.h).
+  double shaking(const Moving& a, const Moving& b) const;
   // s = (s_a, s_b): adds what the static shapes feel to f_s and what it loses by s to H.
   void push(const VectorXd& s, VectorXd& f_s, MatrixXd& H);
   bool covers(const VectorXd& s);
@@ -60,9 +63,10 @@ class BodyPair {
   Reach reach_;
   std::shared_ptr<const SampleTables> tables_;
   const MatrixXd &Phi_, &Psi_;  // r x 3 m, n_s x 3 m, of a
-  MatrixXd Psi_b_;              // n_s x 3 m
+  const MatrixXd& Psi_b_;       // n_s x 3 m
   Matrix3Xd feet_;              // [m] the last of each sample
   std::vector<Near> near_;
+  double clearance_ = 0;  // [m]
   Index n_ = 0;
   Moving at_a_{}, at_b_{};
   Eigen::Matrix3d Q_a_, Q_b_;

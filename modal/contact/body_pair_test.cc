@@ -6,6 +6,7 @@
 #include "modal/contact/contact_step.h"
 #include "modal/contact/floating_bodies_test.h"
 #include "modal/contact/meetings.h"
+#include "modal/contact/surface_polynomials.h"
 #include "modal/contact/turn.h"
 
 namespace mb::testing {
@@ -40,7 +41,8 @@ struct Two {
     }
     a.static_stiffness = b.static_stiffness = 2e3 * MatrixXd::Identity(n_static, n_static);
     a.contacts.push_back({std::move(samples), {}, law});
-    a.contacts.back().partner = std::make_shared<const PartnerSurface>(PartnerSurface{1, board, of_board, feet, Psi_b});
+    a.contacts.back().partner =
+        std::make_shared<const PartnerSurface>(partner_surface(1, board, of_board, feet, Psi_b));
   }
   // That deep in the board that lies below, but for static shapes.
   BodyState above(double depth) const {
@@ -164,7 +166,7 @@ TEST(BodyPair, RigidBallsExchangeVelocities) {
     const Index m = samples.w.size();
     a.contacts.push_back({std::move(samples), {}, {1e10, 0, {}}});
     a.contacts.back().partner = std::make_shared<const PartnerSurface>(
-        PartnerSurface{1, other, none2, Matrix3Xd::Constant(3, m, R2), MatrixXd(3 * m, 0)});
+        partner_surface(1, other, none2, Matrix3Xd::Constant(3, m, R2), MatrixXd(3 * m, 0)));
     const BodyState at_a = at_rest(a, {0, 0, 0}, {2, 0, 0}), at_b = at_rest(b, {R + R2 + 0.1, 0, 0}, {-1, 0, 0});
     std::vector<ImpactPlan> plans{plan_of(a, ball, none, at_a, ContactScheme::exact, 1e-6),
                                   plan_of(b, other, none2, at_b, ContactScheme::exact, 1e-6)};

@@ -13,6 +13,7 @@
 #include "modal/contact/contact_shapes.h"
 #include "modal/contact/sample_tables.h"
 #include "modal/contact/spin.h"
+#include "modal/contact/surface_polynomials.h"
 #include "modal/methods/projection.h"
 
 namespace mb {
@@ -21,18 +22,7 @@ namespace {
 
 constexpr double finest = 0.5, grading = 0.35;  // [-] of the contact's radius; of the distance
 constexpr int points_per_cell_edge = 2;
-
-// Of the elastic modes at the evaluation points inside and on the surface, about half the weight to either.
-Regression polynomials(const BodyModel& mesh, const MatrixXd& Phi_at_points) {
-  const auto& [volume, surface, probes] = mesh.points;
-  Vector3d half = Vector3d::Zero();
-  for (const Quadrature* rule : {&volume, &surface}) half = half.cwiseMax(rule->points.cwiseAbs().rowwise().maxCoeff());
-  const Index n = volume.points.cols() + surface.points.cols();
-  VectorXd w(n);
-  w << volume.weights / volume.weights.sum(), surface.weights / surface.weights.sum();
-  return regress(Monomials(max_polynomial_degree, Vector3d::Zero(), half), mesh.points.all().leftCols(n), w,
-                 Phi_at_points.topRows(3 * n));
-}
+constexpr double partner_reach = 1;  // [-] of a body's extent: how far from the first touch it may meet its partner
 
 SurfaceSamples samples(const Body& body, const FullModel& full, const Meeting& meeting, const PolynomialBasis& Phi,
                        const MatrixXd& Psi) {
@@ -59,11 +49,17 @@ std::vector<Roots> roots_of(const Modes& modes, Index n_first, const Rayleigh& d
   return all;
 }
 
+// Phi and Psi of the mesh, n x r and n x n_s.
+struct Shapes {
+  MatrixXd Phi, Psi;
+};
+
 // The other body's surface where the samples of one that comes to it lie at the first touch.
-std::shared_ptr<const PartnerSurface> partner_surface(const Model& model, const Body& body, const Meeting& meeting,
-                                                      const Matrix3Xd& samples, const FloatingBasis& other,
-                                                      const MatrixXd& Psi) {
-  const Body& partner = model.scene->bodies[other.place];
+std::shared_ptr<const PartnerSurface> surface_of_partner(const Model& model, const Body& body, const Meeting& meeting,
+                                                         const Matrix3Xd& samples, size_t other,
+                                                         const Shapes& of_other) {
+  const Body& partner = model.scene->bodies[other];
+  const FullModel& full = *model.bodies[other].full;
   const Pose pose = Approach(*model.scene, body, &partner).pose(std::isfinite(meeting.t) ? meeting.t : 0);
   Matrix3Xd feet(3, samples.cols());
   for (Index i = 0; i < samples.cols(); ++i) {
@@ -71,16 +67,14 @@ std::shared_ptr<const PartnerSurface> partner_surface(const Model& model, const 
     const Distance d = signed_distance(partner.shape, y);
     feet.col(i) = y - d.value * d.gradient;
   }
+  const MatrixXd& Psi = of_other.Psi;
   MatrixXd static_at(3 * samples.cols(), Psi.cols());
-  if (Psi.cols() > 0) static_at = model.bodies[other.place].full->displacement_at(feet) * Psi;
+  if (Psi.cols() > 0) static_at = full.displacement_at(feet) * Psi;
+  const Regression near =
+      polynomials_near(partner.shape, full, of_other.Phi, meeting.Y, partner_reach * extent(body.shape));
   return std::make_shared<const PartnerSurface>(
-      PartnerSurface{other.place, partner.shape, other.geometry.basis, std::move(feet), std::move(static_at)});
+      partner_surface(other, partner.shape, near.basis, std::move(feet), static_at));
 }
-
-// Phi and Psi of the mesh, n x r and n x n_s.
-struct Shapes {
-  MatrixXd Phi, Psi;
-};
 
 std::vector<SampledContact> sampled_contacts(const Model& model, const FloatingBases& bases, size_t i,
                                              const std::vector<Shapes>& shapes) {
@@ -99,7 +93,7 @@ std::vector<SampledContact> sampled_contacts(const Model& model, const FloatingB
     for (const FloatingBasis& other : bases)
       if (scene.bodies[other.place].name == pair.obstacle)
         all.back().partner =
-            partner_surface(model, body, meeting, all.back().samples.X, other, shapes[other.place].Psi);
+            surface_of_partner(model, body, meeting, all.back().samples.X, other.place, shapes[other.place]);
   }
   return all;
 }
@@ -126,7 +120,7 @@ FloatingBasis basis_of(const Model& model, size_t i, const Modes& modes, const S
                        body.damping.beta},
                       {body.pose.position, body.twist.velocity, body.pose.orientation, Vector3d::Zero(),
                        VectorXd::Zero(r), VectorXd::Zero(r), VectorXd::Zero(Psi.cols())},
-                      polynomials(mesh, mesh.displacement * Phi.leftCols(in_flight ? r : 0)),
+                      polynomials_of(mesh, mesh.displacement * Phi.leftCols(in_flight ? r : 0)),
                       {},
                       mesh.points.all(),
                       mesh.displacement * Phi,

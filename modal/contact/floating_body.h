@@ -28,13 +28,15 @@ struct SurfaceSamples {
 };
 
 // The surface of another body, as samples meet it: the shape, carried by its modes. What its static shapes do is known
-// where the samples lie at the first touch.
+// where the samples lie at the first touch. Made by partner_surface (surface_polynomials.h).
 struct PartnerSurface {
-  size_t body;               // its place among the bodies that move together
-  Shape shape;               // convex
-  PolynomialBasis geometry;  // [kg^-1/2] its modes
-  Matrix3Xd feet;            // [m] 3 x m, its frame: of the samples at the first touch
-  MatrixXd Psi;              // [m] 3 m x n_s, its frame: its static shapes there
+  size_t body;                    // its place among the bodies that move together
+  Shape shape;                    // convex
+  PolynomialBasis geometry;       // [kg^-1/2] its modes, in the box of its monomials about the first touch
+  Matrix3Xd feet;                 // [m] 3 x m, its frame: of the samples at the first touch
+  MatrixXd Psi;                   // [m] n_s x 3 m, its frame: its static shapes there
+  double radius;                  // [m] of the shape about its centre
+  VectorXd largest_q, largest_s;  // r, n_s: bounds of each mode's and static shape's displacement
 };
 
 struct SampleTables;  // sample_tables.h

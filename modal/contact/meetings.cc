@@ -13,7 +13,8 @@ namespace mb {
 
 namespace {
 
-constexpr int n_halvings = 40;  // of a step: a millionth of a millionth of it
+constexpr int most_looks = 60;
+constexpr double sharp = 1e-6;  // [-] of a step: samples lie farther apart than what moves then
 
 double largest_displacement(const ImpactPlan& plan, const BodyState& state, double duration) {
   const auto bounds = flight_bounds(plan.body, plan.bounds, state, duration);
@@ -67,6 +68,25 @@ double Meetings::clear_for(const Pair& of, const std::vector<BodyFlight>& flight
   return std::min(used, most);
 }
 
+double Meetings::shaking(const Pair& of, const std::vector<BodyFlight>& flights, double t) const {
+  const FloatingBody &a = plans_[of.a].body, &b = plans_[of.b].body;
+  const BodyState at_a = flights[of.a].at(t), at_b = flights[of.b].at(t);
+  const VectorXd rate_a = rates(a, at_a), rate_b = rates(b, at_b);
+  return of.pair->shaking({&at_a, Vector3d::Zero(), &rate_a}, {&at_b, Vector3d::Zero(), &rate_b});
+}
+
+double Meetings::open_for(const Pair& of, const std::vector<BodyFlight>& flights, double t, double rate) const {
+  const BodyState at_a = flights[of.a].at(t), at_b = flights[of.b].at(t);
+  const auto pull = [](const ImpactPlan& plan) { return plan.body.free ? plan.body.gravity : Vector3d::Zero(); };
+  const auto turning = [](const ImpactPlan& plan, const BodyState& at) {
+    return plan.body.free ? angular_velocity(plan.body, at).norm() * circumradius(plan.shape) : 0.0;
+  };
+  const double v = (at_a.v - at_b.v).norm() + turning(plans_[of.a], at_a) + turning(plans_[of.b], at_b) + rate,
+               g = (pull(plans_[of.a]) - pull(plans_[of.b])).norm(), d = of.pair->clearance();
+  if (!(d > 0) || !std::isfinite(v)) return 0;
+  return g > 0 ? 2 * d / (v + std::sqrt(v * v + 2 * g * d)) : d / v;
+}
+
 double Meetings::least_gap(Pair& of, const std::vector<BodyFlight>& flights, double t) const {
   const FloatingBody &a = plans_[of.a].body, &b = plans_[of.b].body;
   const BodyState at_a = flights[of.a].at(t), at_b = flights[of.b].at(t);
@@ -75,21 +95,34 @@ double Meetings::least_gap(Pair& of, const std::vector<BodyFlight>& flights, dou
   return of.pair->least_gap();
 }
 
+// Chords, and halves where these creep.
 double Meetings::first_zero(Pair& of, const std::vector<BodyFlight>& flights, double from, double to) const {
-  for (int k = 0; k < n_halvings; ++k) {
-    const double middle = from + (to - from) / 2;
-    if (!(middle > from && middle < to)) break;
-    (least_gap(of, flights, middle) < 0 ? to : from) = middle;
+  double gap_from = least_gap(of, flights, from), gap_to = least_gap(of, flights, to);
+  const double width = sharp * (to - from);
+  for (int k = 0; k < most_looks && to - from > width; ++k) {
+    const bool halve = k % 3 == 2 || !std::isfinite(gap_from);  // where the chord creeps; nothing in reach
+    const double x = halve ? 0.5 : gap_from / (gap_from - gap_to);
+    // Beyond the chord's zero by a little: both ends close in.
+    const double t =
+        std::clamp(from + x * (to - from) + (k % 2 ? width / 2 : -width / 2), from + width / 4, to - width / 4);
+    const double gap = least_gap(of, flights, t);
+    (gap < 0 ? to : from) = t;
+    (gap < 0 ? gap_to : gap_from) = gap;
   }
   return to;
 }
 
 std::optional<NextTouch> Meetings::next(Pair& of, const std::vector<BodyFlight>& flights, double end) const {
   const double step = plans_.front().step;
-  double t = flights.front().start();
+  double t = flights.front().start(), looked = t;
   if (least_gap(of, flights, t) < 0) return NextTouch{t, true};
+  const double rate = shaking(of, flights, t);
   while (t < end) {
-    const double clear = clear_for(of, flights, t, end);
+    double clear = clear_for(of, flights, t, end);
+    if (!(clear > step)) {
+      if (looked != t) least_gap(of, flights, looked = t);
+      clear = open_for(of, flights, t, rate);
+    }
     if (clear > step) {
       t += clear;
       continue;
@@ -97,7 +130,7 @@ std::optional<NextTouch> Meetings::next(Pair& of, const std::vector<BodyFlight>&
     const double next = std::min(t + step, end);
     if (least_gap(of, flights, next) < 0) return NextTouch{first_zero(of, flights, t, next), true};
     if (next == end) break;
-    t = next;
+    looked = t = next;
   }
   return {};
 }

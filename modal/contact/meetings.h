@@ -3,7 +3,9 @@
 //   broad    d(t) = distance of a's centre from b's shape at rest - radius of a - |u_a| - |u_b| >= d(t0) - way(t - t0):
 //            swept bounds; while d > 0 nothing touches, and time goes on by what d takes to be used up
 //            (conservative advancement: Mirtich & Canny 1995, Proc. Symp. Interactive 3D Graphics)
-//   narrow   the least gap of a's samples, in steps of contact; its first zero by bisection
+//   near     the same with d the least gap of a's samples, and the speed of their surfaces what vibration will hardly
+//            exceed: three times the root mean square of where all modes have their greatest
+//   narrow   the least gap of a's samples, in steps of contact; its first zero by chords and halves
 #pragma once
 
 #include <memory>
@@ -31,6 +33,9 @@ class Meetings {
   // [s] for how long they cannot meet from t on.
   double clear_for(const Pair& of, const std::vector<BodyFlight>& flights, double t, double end) const;
   double least_gap(Pair& of, const std::vector<BodyFlight>& flights, double t) const;
+  double shaking(const Pair& of, const std::vector<BodyFlight>& flights, double t) const;  // [m/s]
+  // [s] in which the gaps of the state looked at last, at t, will hardly close; rate [m/s] of vibrating surfaces
+  double open_for(const Pair& of, const std::vector<BodyFlight>& flights, double t, double rate) const;
   double first_zero(Pair& of, const std::vector<BodyFlight>& flights, double from, double to) const;
 
   std::span<const ImpactPlan> plans_;

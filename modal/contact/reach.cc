@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "mechanics/contact/first_touch_support.h"
 #include "modal/contact/sample_tables.h"
 
 namespace mb {
@@ -22,12 +21,9 @@ Wander of_samples(const SampledContact& contact) {
   return {X.cols() > 0 ? std::sqrt(X.colwise().squaredNorm().maxCoeff()) : 0, tables->largest_q, tables->largest_s};
 }
 
-// Of all of the other body's surface: where the feet are going to be is not known.
 std::optional<Wander> of_partner(const SampledContact& contact) {
   if (!contact.partner) return {};
-  const PartnerSurface& of = *contact.partner;
-  return Wander(circumradius(of.shape), largest_displacements(of.geometry.at(surface_quadrature(of.shape).points)),
-                largest_displacements(of.Psi));
+  return Wander(contact.partner->radius, contact.partner->largest_q, contact.partner->largest_s);
 }
 
 }  // namespace
@@ -77,6 +73,11 @@ void Reach::renew(const BodyState& state, const BodyState* partner, const Vector
 Index Reach::count(const BodyState& state, const BodyState* partner) {
   n_ = std::ranges::upper_bound(gap_, moved(state, partner) + margin_) - gap_.begin();
   return n_;
+}
+
+double Reach::beyond(const BodyState& state, const BodyState* partner) const {
+  const auto n = static_cast<size_t>(n_);
+  return (n < gap_.size() ? gap_[n] : beyond_) - moved(state, partner);
 }
 
 bool Reach::covers(const VectorXd& s, const VectorXd* partner_s) {

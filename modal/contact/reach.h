@@ -50,7 +50,9 @@ class Reach {
   }
   // Of the last count: whether it holds all that can press with other static shapes, too. If not, count again.
   bool covers(const VectorXd& s, const VectorXd* partner_s = nullptr);
-  void pressed(Index n) { in_vain_ += n_ - n; }  // how many of those counted did press
+  double beyond(const BodyState& state,
+                const BodyState* partner = nullptr) const;  // [m] least gap of those not counted
+  void pressed(Index n) { in_vain_ += n_ - n; }             // how many of those counted did press
 
   long n_lists() const { return n_lists_; }  // made so far: another one, another order
   Index operator[](Index place) const { return order_[static_cast<size_t>(place)]; }
