@@ -38,9 +38,10 @@ Body ball(const std::string& name, Kinematics kinematics, const Vector3d& place,
 }
 
 struct Answered {
-  explicit Answered(const Scene& of) : scene(std::make_shared<const Scene>(of)), model(build_model(scene)) {
+  explicit Answered(const Scene& of, double tolerance = 1e-4)
+      : scene(std::make_shared<const Scene>(of)), model(build_model(scene)) {
     Settings settings;
-    settings.relative_tolerance = 1e-4;
+    settings.relative_tolerance = tolerance;
     answer = full_order()->prepare(model, settings, arkode())->simulate({VectorXd::LinSpaced(81, 0, of.duration)});
   }
   const BodyTrajectory& body(size_t b) const { return answer.bodies.at(b); }
@@ -84,21 +85,21 @@ TEST_P(TwoLikeBalls, MeetAsOneMeetsItsMirror) {
 }
 
 TEST_P(TwoLikeBalls, HandOverMomentumAndKeepEnergy) {
-  Scene scene = empty(0.009);
+  Scene scene = empty(0.02);
   scene.bodies = {ball("small", GetParam(), {0, 0, R + 1e-3}, {0.2, 0, -speed}),
                   ball("big", GetParam(), {0.01, 0, -R - 1e-3}, {0, 0, 0})};
   scene.bodies[1].material.density *= 3;
   scene.contacts.push_back({.body = "small", .obstacle = "big", .stiffness = layer});
-  const Answered run(scene);
+  const Answered run(scene, 1e-3);
   ASSERT_EQ(run.answer.status, Status::ok);
   const Index end = run.answer.t.size() - 1;
   const ContactHistory &on_small = run.body(0).contact, &on_big = run.body(1).contact;
   EXPECT_LT((on_small.impulse + on_big.impulse).norm(), 1e-14 * on_small.impulse.norm());
   EXPECT_GT(on_small.impulse(2, end), run.mass(0) * speed);
   // Velocities from two samples of free flight after it.
-  const double dt = run.answer.t[end] - run.answer.t[end - 10];
+  const double dt = run.answer.t[end] - run.answer.t[end - 40];
   for (const size_t b : {0, 1}) {
-    const Vector3d v = (run.centre(b, end) - run.centre(b, end - 10)) / dt;
+    const Vector3d v = (run.centre(b, end) - run.centre(b, end - 40)) / dt;
     const Vector3d gained = run.mass(b) * (v - scene.bodies[b].twist.velocity);
     // Centroids are the evaluation points', which see a little of the vibrations.
     EXPECT_LT((gained - run.body(b).contact.impulse.col(end)).norm(), 1e-3 * on_small.impulse.col(end).norm()) << b;
@@ -106,7 +107,7 @@ TEST_P(TwoLikeBalls, HandOverMomentumAndKeepEnergy) {
   const VectorXd E = run.body(0).energy + run.body(1).energy;
   const double brought = run.mass(0) * (speed * speed + 0.04) / 2;
   EXPECT_NEAR(E[0], brought, 1e-12 * brought);
-  EXPECT_LT(E.maxCoeff(), (1 + 1e-3) * brought);  // the integrator's tolerance
+  EXPECT_LT(E.maxCoeff(), (1 + 5e-3) * brought);  // the integrator's tolerance, and what it takes of the layer
   EXPECT_GT(E[end], 0.5 * brought);
   EXPECT_LT(E[end], 0.999 * brought);  // Rayleigh's damping
 }

@@ -8,6 +8,8 @@
 namespace mb {
 namespace {
 
+constexpr double most_rounding = 1e-6;  // [-] of |b|
+
 // | |A| |x| | eps: what rounding leaves of A x when its terms cancel.
 double rounding_of_product(const SparseMatrix& A, const VectorXd& x) {
   VectorXd sum = VectorXd::Zero(A.rows());
@@ -28,9 +30,10 @@ PcgSolution pcg(const SparseMatrix& A, const VectorXd& b, const LinearMap& preco
   VectorXd x = VectorXd::Zero(b.size());
   if (scale == 0) return {x, 0, 0};
   const auto preconditioned = [&](const VectorXd& r) { return project ? project(precondition(r)) : precondition(r); };
-  // 4: the sums of a row round more than once.
+  // 4: the sums of a row round more than once. Of an x that runs away, b being outside A's range, rounding excuses
+  // nothing.
   const auto small_enough = [&](const VectorXd& at) {
-    return std::max(tolerance * scale, 4 * rounding_of_product(A, at));
+    return std::max(tolerance * scale, std::min(most_rounding * scale, 4 * rounding_of_product(A, at)));
   };
 
   VectorXd r = b, p = VectorXd::Zero(b.size());
