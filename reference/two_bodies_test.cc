@@ -13,7 +13,7 @@
 namespace mb {
 namespace {
 
-constexpr double R = 0.05, speed = 1.5, layer = 2e11;  // [m], [m/s], [Pa/m]
+constexpr double R = 0.05, speed = 1.5, layer = 5e10;  // [m], [m/s], [Pa/m]
 const Material rubber{5e6, 0.45, 1100};
 
 Integrator arkode() {
@@ -107,7 +107,7 @@ TEST_P(TwoLikeBalls, HandOverMomentumAndKeepEnergy) {
   const VectorXd E = run.body(0).energy + run.body(1).energy;
   const double brought = run.mass(0) * (speed * speed + 0.04) / 2;
   EXPECT_NEAR(E[0], brought, 1e-12 * brought);
-  EXPECT_LT(E.maxCoeff(), (1 + 5e-3) * brought);  // the integrator's tolerance, and what it takes of the layer
+  EXPECT_LT(E.maxCoeff(), (1 + 0.02) * brought);  // the integrator's tolerance, and what it takes of the layer
   EXPECT_GT(E[end], 0.5 * brought);
   EXPECT_LT(E[end], 0.999 * brought);  // Rayleigh's damping
 }
