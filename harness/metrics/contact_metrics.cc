@@ -182,6 +182,21 @@ std::optional<FirstContact> first_contact(const std::vector<Touch>& touches, con
   return all;
 }
 
+namespace {
+
+// The other body of a contact, where nothing holds it.
+const Body* free_partner(const Scene& scene, const Body& b) {
+  for (const ContactPair& pair : scene.contacts)
+    for (const Body& other : scene.bodies)
+      if (!is_held(other) && other.name != b.name &&
+          ((pair.body == b.name && pair.obstacle == other.name) ||
+           (pair.body == other.name && pair.obstacle == b.name)))
+        return &other;
+  return nullptr;
+}
+
+}  // namespace
+
 double restitution(const Scene& scene, const Body& b, const Touch& touch) {
   if (!std::isfinite(touch.end)) return nan;
   if (const Obstacle* obstacle = striker_of(scene, b)) {
@@ -189,8 +204,12 @@ double restitution(const Scene& scene, const Body& b, const Touch& touch) {
     const Vector3d up = b.pose.orientation * Vector3d::UnitZ();
     return -touch.impulse.dot(up) / (m * speed) - 1;  // the impulse is that on the body
   }
-  const Vector3d v = b.twist.velocity + touch.start * scene.gravity;
-  const Vector3d after = v + touch.impulse / mass(b) + (touch.end - touch.start) * scene.gravity;
+  Vector3d v = b.twist.velocity + touch.start * scene.gravity;
+  Vector3d after = v + touch.impulse / mass(b) + (touch.end - touch.start) * scene.gravity;
+  if (const Body* other = free_partner(scene, b)) {  // both fall alike: gravity is of no account between them
+    v = b.twist.velocity - other->twist.velocity;
+    after = v + touch.impulse * (1 / mass(b) + 1 / mass(*other));
+  }
   const Vector3d along = touch.impulse.normalized();
   return -after.dot(along) / v.dot(along);
 }

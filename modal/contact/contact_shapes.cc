@@ -12,20 +12,25 @@ namespace {
 
 constexpr int n_discs = 9;  // of radius 2a, 2a/sqrt(2), a, ... a/8
 const double ratio = std::sqrt(0.5);
-constexpr int n_rubbing = (n_discs + 1) / 2;
+constexpr int n_more = (n_discs + 1) / 2;  // every other one
+constexpr double lever =
+    0.05;  // [-] of the size: by how much a blow misses the centroid of a body that will roll on it
 constexpr double facing = 0.5;       // [-] cosine of a surface that meets the obstacle
 constexpr double independent = 1e-8; /* [-] of the largest energy */
 constexpr double left_over = 1e-14;  // [-] of the whole response's energy: rounding, where the modes have all of it
 
-// One column a disc: the nodal forces of its pressure along the inward normal; where friction rubs, every other disc
-// once more along either tangent, and with pressures that tilt, p x/a and p y/a: what rubs at its base leans.
+// One column a disc: the nodal forces of its pressure along the inward normal; every other disc once more with
+// pressures that tilt, p x/a and p y/a, where the body rolls off it or, what friction rubs at its base, leans; and
+// where friction rubs along either tangent.
 MatrixXd disc_forces(const Body& body, const FullModel& full, const TouchedAt& at, bool rubs) {
   const double largest = std::min(2 * at.meeting.size.radius, 0.5 * extent(body.shape));
   const double smallest = largest * std::pow(ratio, n_discs - 1);
   const Vector3d inward = -signed_distance(body.shape, at.X).gradient;
   const Vector3d along = inward.unitOrthogonal(), across = inward.cross(along);
   const GradedRule rule = graded_rule(body.shape, {at.X}, {smallest / 4, largest / 4, 0.25, 3}, largest);
-  MatrixXd p = MatrixXd::Zero(3 * rule.weights.size(), n_discs + (rubs ? 4 * n_rubbing : 0));
+  const bool tilts = rubs || at.X.cross(inward).norm() > lever * extent(body.shape);
+  const Index n_tilting = tilts ? 2 * n_more : 0, n_rubbing = rubs ? 2 * n_more : 0;
+  MatrixXd p = MatrixXd::Zero(3 * rule.weights.size(), n_discs + n_tilting + n_rubbing);
   for (Index i = 0; i < rule.weights.size(); ++i) {
     // Faces around an edge do not touch.
     if (signed_distance(body.shape, rule.points.col(i)).gradient.dot(inward) > -facing) continue;
@@ -34,12 +39,13 @@ MatrixXd disc_forces(const Body& body, const FullModel& full, const TouchedAt& a
     for (int k = 0; k < n_discs && distance < a; ++k, a *= ratio) {
       const double share = rule.weights[i] * std::sqrt(1 - distance * distance / (a * a));
       p.block<3, 1>(3 * i, k) = share * inward;
-      if (!rubs || k % 2 == 1) continue;
+      if (!tilts || k % 2 == 1) continue;
       const Vector3d arm = (rule.points.col(i) - at.X) / a;
-      p.block<3, 1>(3 * i, n_discs + 2 * k) = share * along;
-      p.block<3, 1>(3 * i, n_discs + 2 * k + 1) = share * across;
-      p.block<3, 1>(3 * i, n_discs + 2 * k + 2) = share * arm.dot(along) * inward;
-      p.block<3, 1>(3 * i, n_discs + 2 * k + 3) = share * arm.dot(across) * inward;
+      p.block<3, 1>(3 * i, n_discs + k) = share * arm.dot(along) * inward;
+      p.block<3, 1>(3 * i, n_discs + k + 1) = share * arm.dot(across) * inward;
+      if (!rubs) continue;
+      p.block<3, 1>(3 * i, n_discs + n_tilting + k) = share * along;
+      p.block<3, 1>(3 * i, n_discs + n_tilting + k + 1) = share * across;
     }
   }
   return full.displacement_at(rule.points).transpose() * p;

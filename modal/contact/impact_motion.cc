@@ -172,7 +172,7 @@ class Run {
       const double t_before = t;
       t = start + static_cast<double>(i + 1) * step_;
       note(t, now);
-      look_between(t_before, before, now);
+      look_between(t_before, t, before, now);
       // Apart and parting, seen twice: samples begin to press only a little after the surfaces meet.
       const double gap = least_gap(now);
       const bool clear = gap >= 0, parting = clear && !(gap < least_gap(before));
@@ -213,9 +213,10 @@ class Run {
                mechanical_energy(plans_[b].body, now[b].body) + now[b].load.stored);
   }
 
-  void look_between(double t_before, const std::vector<ContactState>& from, const std::vector<ContactState>& to) {
-    while (more() && next_time() <= t_before + step_) {
-      const double x = (next_time() - t_before) / step_;
+  void look_between(double t_before, double t, const std::vector<ContactState>& from,
+                    const std::vector<ContactState>& to) {
+    while (more() && next_time() <= t) {
+      const double x = std::min(1.0, (next_time() - t_before) / step_);
       for (size_t k = 0; k < from.size(); ++k) {
         const ContactState &a = from[k], &b = to[k];
         const FloatingBody& body = plans_[k].body;
