@@ -121,6 +121,23 @@ TEST(ContactLineVerification, AStrikerHasMassAndSpeedAndHertzItsOwnUnit) {
   EXPECT_THAT(text, HasSubstr("approach at 0.0100 m/s, first touch at 0 s."));
 }
 
+TEST(ContactLine, NamesAnotherBodyThatIsMet) {
+  Scene scene = drop();
+  Body board = scene.bodies[0];
+  board.name = "board";
+  board.shape = Box{{1, 0.5, 0.1}};
+  board.pose.position = {0, 0, -0.05};
+  board.supports = {{Support::Kind::fixed, {"z-min", {}}}};
+  board.settled = true;
+  scene.bodies.push_back(board);
+  scene.obstacles.clear();
+  scene.contacts[0].obstacle = "board";
+  const std::string text = line(scene);
+  EXPECT_THAT(text, HasSubstr("Contact of ball with board"));
+  EXPECT_THAT(text, HasSubstr("first touch at"));
+  EXPECT_THAT(text, HasSubstr("at rest, bent by its weight"));
+}
+
 TEST(ContactLine, GravityAndSpeedStandWithoutContact) {
   Scene scene = synthetic::scene();
   EXPECT_TRUE(contact_sentences(scene).empty());

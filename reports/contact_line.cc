@@ -19,7 +19,8 @@ std::string start_of(const Scene& scene, const Body& body) {
   if (!velocity.isZero(0)) rates.push_back("velocity " + in(velocity, "m/s"));
   if (!spin.isZero(0)) rates.push_back("spin " + in(spin, "rad/s"));
   if (scene.contacts.empty() && rates.empty()) return "";
-  const std::string moving = rates.empty() ? "at rest" : "with " + joined(rates, " and ");
+  const std::string still = body.settled ? "at rest, bent by its weight" : "at rest";
+  const std::string moving = rates.empty() ? still : "with " + joined(rates, " and ");
   return body.name + " starts " + joined({scene.contacts.empty() ? "" : placed(body.pose), moving}, ", ");
 }
 
@@ -55,7 +56,7 @@ std::string law_of(const ContactPair& pair, const std::optional<Meeting>& meetin
 // Whether it touches in motion. The speed of ContactSize is otherwise what its size was estimated with, that of an
 // impact as deep as the weight presses.
 bool comes_in_motion(const Scene& scene, const ContactPair& pair, const Meeting& meeting) {
-  if (obstacle_of(scene, pair).striker) return true;
+  if (partner_of(scene, pair) || obstacle_of(scene, pair).striker) return true;
   const auto body = std::ranges::find(scene.bodies, pair.body, &Body::name);
   const bool at_rest = body->twist.velocity.isZero(0) && body->twist.angular_velocity.isZero(0);
   return std::isfinite(meeting.t) && !(meeting.t == 0 && at_rest);
