@@ -9,35 +9,18 @@
 #include "mechanics/system/newmark.h"
 #include "reference/finite_bodies_test.h"
 #include "reference/full_order.h"
+#include "reference/integrators_test.h"
 #include "reference/sundials/sundials.h"
 
 namespace mb {
 namespace {
 
+using testing::arkode;
+using testing::average_acceleration;
+
 using testing::FreeBody;
 constexpr double R = 0.06, g = 9.81;
 const Material jelly{1e6, 0.45, 1100};
-
-Integrator arkode() {
-  return {"sundials",
-          "",
-          [](const System& s, const Settings& set, double T) { return sundials(s, set.relative_tolerance, T); },
-          Integrator::Knob::tolerance,
-          false,
-          [](const System& s, const std::vector<Contact>& c, const Settings& set, double T) {
-            return sundials(s, c, set.relative_tolerance, T);
-          }};
-}
-Integrator average_acceleration() {
-  return {"newmark",
-          "",
-          [](const System& s, const Settings& set, double) { return newmark(s, set.time_step); },
-          Integrator::Knob::time_step,
-          false,
-          [](const System& s, const std::vector<Contact>& c, const Settings& set, double) {
-            return newmark(s, c, set.time_step);
-          }};
-}
 
 Scene dropped(const Shape& shape, double height, double drop, double duration, const Resolution& mesh = {2, {1}}) {
   Scene scene = testing::finite_body(shape, jelly, mesh, {0, 1e-4});

@@ -9,31 +9,13 @@
 #include "reference/full_model.h"
 #include "reference/full_order.h"
 #include "reference/impact.h"
-#include "reference/sundials/sundials.h"
+#include "reference/integrators_test.h"
 
 namespace mb {
 namespace {
 
-Integrator arkode() {
-  return {"sundials",
-          "",
-          [](const System& s, const Settings& set, double T) { return sundials(s, set.relative_tolerance, T); },
-          Integrator::Knob::tolerance,
-          false,
-          [](const System& s, const std::vector<Contact>& c, const Settings& set, double T) {
-            return sundials(s, c, set.relative_tolerance, T);
-          }};
-}
-Integrator explicit_steps() {
-  return {"central-difference",
-          "",
-          [](const System&, const Settings&, double) { return std::unique_ptr<Stepper>(); },
-          Integrator::Knob::time_step,
-          true,
-          [](const System& s, const std::vector<Contact>& c, const Settings& set, double) {
-            return central_difference(s, c, set.time_step);
-          }};
-}
+using testing::arkode;
+using testing::explicit_steps;
 
 Eigen::Quaterniond turned(double angle, const Vector3d& axis) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));

@@ -8,11 +8,15 @@
 #include "mechanics/contact/contact_steppers.h"
 #include "reference/full_model.h"
 #include "reference/full_order.h"
+#include "reference/integrators_test.h"
 #include "reference/static_answer.h"
-#include "reference/sundials/sundials.h"
 
 namespace mb {
 namespace {
+
+using testing::arkode;
+using testing::average_acceleration;
+using testing::explicit_steps;
 
 constexpr double R = 0.06, drop = 0.05, g = 9.81;
 
@@ -25,37 +29,6 @@ Scene dropped_ball() {
   scene.duration = 0.16;
   scene.loads.clear();
   return scene;
-}
-
-Integrator arkode() {
-  return {"sundials",
-          "",
-          [](const System& s, const Settings& set, double T) { return sundials(s, set.relative_tolerance, T); },
-          Integrator::Knob::tolerance,
-          false,
-          [](const System& s, const std::vector<Contact>& c, const Settings& set, double T) {
-            return sundials(s, c, set.relative_tolerance, T);
-          }};
-}
-Integrator average_acceleration() {
-  return {"newmark",
-          "",
-          [](const System&, const Settings&, double) { return std::unique_ptr<Stepper>(); },
-          Integrator::Knob::time_step,
-          false,
-          [](const System& s, const std::vector<Contact>& c, const Settings& set, double) {
-            return newmark(s, c, set.time_step);
-          }};
-}
-Integrator explicit_steps() {
-  return {"central-difference",
-          "",
-          [](const System&, const Settings&, double) { return std::unique_ptr<Stepper>(); },
-          Integrator::Knob::time_step,
-          true,
-          [](const System& s, const std::vector<Contact>& c, const Settings& set, double) {
-            return central_difference(s, c, set.time_step);
-          }};
 }
 
 struct Drop {

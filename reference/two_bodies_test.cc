@@ -8,24 +8,15 @@
 #include "mechanics/system/newmark.h"
 #include "reference/full_model.h"
 #include "reference/full_order.h"
-#include "reference/sundials/sundials.h"
+#include "reference/integrators_test.h"
 
 namespace mb {
 namespace {
 
+using testing::arkode;
+
 constexpr double R = 0.05, speed = 1.5, layer = 5e10;  // [m], [m/s], [Pa/m]
 const Material rubber{5e6, 0.45, 1100};
-
-Integrator arkode() {
-  return {"sundials",
-          "",
-          [](const System& s, const Settings& set, double T) { return sundials(s, set.relative_tolerance, T); },
-          Integrator::Knob::tolerance,
-          false,
-          [](const System& s, const std::vector<Contact>& c, const Settings& set, double T) {
-            return sundials(s, c, set.relative_tolerance, T);
-          }};
-}
 
 Body ball(const std::string& name, Kinematics kinematics, const Vector3d& place, const Vector3d& velocity) {
   Body body = one_body(Sphere{R}, rubber, {2, {1}, 1}).bodies[0];

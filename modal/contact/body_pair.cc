@@ -63,6 +63,15 @@ void BodyPair::look(const Moving& a, const Moving& b) {
   clearance_ = std::min(least_gap(), reach_.beyond(*a.state, b.state));
 }
 
+// The nearest to Y of the box in which the modes of b are known, made larger by a factor: beyond it polynomials mean
+// nothing.
+Vector3d BodyPair::within_box(const Vector3d& Y, double larger) const {
+  const Monomials& m = surface_.geometry.monomials();
+  const Vector3d xi = m.scaled(Y);
+  if ((xi.array().abs() <= larger).all()) return Y;
+  return m.centre() + m.half_extents().cwiseProduct(xi.cwiseMax(-larger).cwiseMin(larger));
+}
+
 void BodyPair::find_foot(Index i, Near& near) const {
   const Vector3d y = Q_b_.transpose() * (near.x - at_b_.state->c);
   near.Y = feet_.col(i);
@@ -72,6 +81,9 @@ void BodyPair::find_foot(Index i, Near& near) const {
     near.Y = projected(surface_.shape, near.Y + at.F.inverse() * (y - at.x));
     if ((near.Y - before).squaredNorm() < still * still * surface_.radius * surface_.radius) break;
   }
+  if (near.Y != within_box(near.Y, most_scaled))
+    throw std::runtime_error(
+        "two bodies are close farther from where they first touched than the modes of the one that is met are known");
   const auto at = map_->at(near.Y);
   near.y = at.x;
   const Vector3d n = at.F.inverse().transpose() * signed_distance(surface_.shape, near.Y).gradient;
@@ -100,7 +112,7 @@ VectorXd BodyPair::gaps() const {
         Phi_.middleCols(3 * i, 3).transpose() * at_a_.state->q + Psi_.middleCols(3 * i, 3).transpose() * at_a_.state->s;
     const Vector3d x = at_a_.state->c + Q_a_ * (contact_.samples.X.col(i) + u);
     const Vector3d y = Q_b_.transpose() * (x - at_b_.state->c);
-    const Vector3d Y = projected(surface_.shape, y);
+    const Vector3d Y = within_box(projected(surface_.shape, y), 1);
     const double d = signed_distance_value(surface_.shape, y - map_->displacement(Y));
     all[i] = d > 0 ? surely * d : d / surely;
   }
@@ -175,9 +187,6 @@ void BodyPair::act(const VectorXd& s, ContactLoad& a, ContactLoad& b) {
     const auto [value, x, t] = *press(k, s);
     a.least_gap = std::min(a.least_gap, value);
     if (!(value < 0)) continue;
-    if ((surface_.geometry.monomials().scaled(near.Y).array().abs() > most_scaled).any())
-      throw std::runtime_error(
-          "a contact has gone farther from where two bodies first touched than their modes are known");
     const double w = contact_.samples.w[i];
     const Vector3d f = w * t.t;
     a.force += f;

@@ -29,6 +29,7 @@ class BodyPair {
     Vector3d Omega;
     const VectorXd* rate;  // q'
   };
+  // Throws std::runtime_error where they come close outside the box in which b's modes are known (floating_body.h).
   void look(const Moving& a, const Moving& b);  // what follows but `shaking` is of these, which must live on for it
   double least_gap() const;  // [m] of the samples looked at, but for the static shapes; infinity: none is in reach
   double clearance() const { return clearance_; }  // [m] a lower bound of all samples' gaps, likewise
@@ -48,6 +49,7 @@ class BodyPair {
     double gap;        // [m]
   };
   VectorXd gaps() const;
+  Vector3d within_box(const Vector3d& Y, double larger) const;
   void find_foot(Index i, Near& near) const;
   Eigen::Matrix<double, 3, Eigen::Dynamic> rows(Index i) const;  // x - x_b by s
   struct Pressing {
