@@ -64,6 +64,25 @@ struct Two {
   }
 };
 
+// Modes of the board known near its middle alone: who presses elsewhere gets no wrong answer, nor one far from it.
+TEST(BodyPair, IsRefusedWhereModesAreNotKnown) {
+  Two two(2, 0, {1e9, 0, {}});
+  PartnerSurface local = *two.a.contacts.front().partner;
+  const Monomials near_middle(0, Vector3d::Zero(), {0.01, 0.01, 0.02});
+  local.geometry = PolynomialBasis(near_middle, MatrixXd::Zero(3, 2));
+  two.a.contacts.front().partner = std::make_shared<const PartnerSurface>(local);
+  BodyPair pair(two.a, two.b, two.a.contacts.front());
+  const BodyState still = at_rest(two.b, {0, 0, 0});
+  const auto look = [&](double x, double height) {
+    const BodyState state = at_rest(two.a, {x, 0, 0.02 + R + height});
+    pair.look({&state, Vector3d::Zero(), &state.p}, {&still, Vector3d::Zero(), &still.p});
+    return pair.least_gap();
+  };
+  EXPECT_LT(look(0, -1e-5), 0);
+  EXPECT_GT(look(0.03, 0.05), 0);  // high above
+  EXPECT_THROW(look(0.03, -1e-5), std::runtime_error);
+}
+
 struct Loads {
   ContactLoad a, b;
 };
