@@ -114,16 +114,16 @@ TEST(FiniteMotion, DampingLinearisesAndDissipates) {
   const FiniteForce force(s);
   const VectorXd v = VectorXd::Random(s.u0.size()), u = 2e-3 * VectorXd::Random(s.u0.size());
   VectorXd f, f_0;
-  ASSERT_TRUE(force.resistance(s.u0, v, f));
+  ASSERT_TRUE(force.resistance(0, s.u0, v, f));
   const VectorXd Cv = apply_damping(s, v);
   EXPECT_LT((f - Cv).norm(), 1e-12 * Cv.norm());  // rounding
-  ASSERT_TRUE(force.resistance(u, v, f) && force.resistance(u, s.u0, f_0));
+  ASSERT_TRUE(force.resistance(0, u, v, f) && force.resistance(0, u, s.u0, f_0));
   EXPECT_GT(v.dot(f - f_0), 0);
   // turned by 2 rad and spinning: nothing
   const Eigen::Matrix3d Q = Eigen::AngleAxisd(2, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const VectorXd turned = (Q * spun.body.X.reshaped(3, s.u0.size() / 3)).reshaped() - spun.body.X;
   const VectorXd r = s.stored_energy->rigid_motions(turned) * VectorXd::LinSpaced(6, 1, 2);
-  ASSERT_TRUE(force.resistance(turned, r, f));
+  ASSERT_TRUE(force.resistance(0, turned, r, f));
   EXPECT_LT(f.norm(), 1e-10 * apply_damping(s, v).norm() * r.norm() / v.norm());
 }
 

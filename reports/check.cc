@@ -78,7 +78,8 @@ std::vector<const Run*> runs_asked(const Scene& scene, const Check& check, const
   std::vector<const Run*> all, exact;
   for (const Run& run : runs) {
     const bool asked = run.case_name == scene.name && run.profile == scene.profile &&
-                       run.contender.method == check.method && run.contender.settings.modes == check.modes;
+                       run.contender.method == check.method && run.contender.settings.modes == check.modes &&
+                       (check.rotation.empty() || check.rotation == to_string(run.contender.settings.rotation));
     if (!asked) continue;
     all.push_back(&run);
     if (run.contender.integrator == "exact") exact.push_back(&run);

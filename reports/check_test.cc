@@ -55,6 +55,26 @@ TEST(CheckResults, HoldsWhereValueAndBarAreWithinTheBound) {
   EXPECT_TRUE(result_of(at_least(0.02), answer(0.02, 0)).holds);
 }
 
+// Where the study runs several couplings of rotation, a check may be of one.
+TEST(CheckResults, AreOfTheRotationAskedFor) {
+  const auto coupled = [](RotationCoupling rotation) {
+    Contender contender = reduced("eigenmodes", 8);
+    contender.settings.rotation = rotation;
+    return contender;
+  };
+  const std::vector<Record> records{
+      record("displacement-error", 0.01, 0, coupled(RotationCoupling::coupled)),
+      record("displacement-error", 30, 0, coupled(RotationCoupling::unstiffened))};
+  Check check = at_most(0.02);
+  EXPECT_FALSE(result_of(check, records).holds);
+  check.rotation = "coupled";
+  EXPECT_TRUE(result_of(check, records).holds);
+  check.rotation = "unstiffened";
+  EXPECT_FALSE(result_of(check, records).holds);
+  check.rotation = "rigid";
+  EXPECT_EQ(result_of(check, records).status, "no record");
+}
+
 TEST(CheckResults, FailsWhereEvenTheNearestValueOfTheBarIsOutside) {
   for (const CheckResult& result :
        {result_of(at_most(0.02), answer(0.022, 1e-3)), result_of(at_least(0.02), answer(0.018, 1e-3)),

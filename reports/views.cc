@@ -9,6 +9,7 @@
 #include "reports/number.h"
 #include "reports/speedup.h"
 #include "reports/speedup_columns.h"
+#include "reports/words.h"
 
 namespace mb {
 namespace {
@@ -174,7 +175,7 @@ Sheet checks_table(const Evaluation& evaluation) {
                    {"why", ""}};
   for (const CheckResult& result : evaluation.checks) {
     table.rows.push_back({text_cell(result.case_name), text_cell(result.profile), text_cell(result.check.truth),
-                          text_cell(result.check.method),
+                          text_cell(joined({result.check.method, result.check.rotation}, " ")),
                           result.check.method.empty() ? text_cell("") : count_cell(result.check.modes),
                           text_cell(subject_of(result.check)), measured_cell(result), bar_cell(result),
                           text_cell(bound(result.check)), text_cell(verdict(result)), text_cell(result.check.why)});

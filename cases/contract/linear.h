@@ -28,7 +28,7 @@ struct LinearBody {
 struct Reduction {
   std::vector<LinearBody> bodies;
   int modes_used;  // elastic modes of the basis, of the body that uses most; -1 for full order
-  // In a scene with contact, or of a finite body in full order: what answers in the place of linear steppers.
+  // In a scene with contact, or of bodies of finite kinematics: what answers in the place of linear steppers.
   std::function<std::unique_ptr<Prepared>(const Integrator& integrator, const Settings& settings)> in_contact = {};
 };
 

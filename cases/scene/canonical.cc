@@ -129,6 +129,7 @@ std::string canonical(const ContactPair& pair) {
 
 std::string canonical(const Load& load) {
   std::string out = fmt::format("load {}\nhistory {}\n", load.name, canonical(load.history));
+  if (load.follows) out += "follows\n";
   for (const Traction& traction : load.tractions) {
     out += fmt::format("traction {} {} {} {}\n", traction.body, canonical(traction.patch), vector(traction.traction),
                        number(traction.pressure));

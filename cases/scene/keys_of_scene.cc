@@ -109,6 +109,10 @@ const std::vector<KeyGroup>& scene_keys() {
        {{"load.name", "a name", "", "", "required", "of the load", "\"push\""},
         {"load.history", "a table", "", "", "required", "dimensionless factor s(t) on all tractions of the load",
          "{ kind = \"pulse\", duration = 0.05 }"},
+        {"load.axes", "one of start, body", "", "", "start",
+         "in which its tractions stand: those that the body has at the start, or the body's own, with which the load "
+         "turns; only of bodies of kinematics 'finite' without supports",
+         ""},
         {"load.traction", "1 to 64 tables", "", "", "required", "where and how the load acts", ""},
         {"load.traction.body", "a body's name", "", "", "required", "what is loaded", "\"block\""},
         {"load.traction.face", "a face", "", "", "required", "as for supports", "\"z-max\""},

@@ -32,8 +32,8 @@ const std::vector<KeyGroup>& study_keys() {
          "while bodies touch, of methods in closed form; only in scenes with contact", ""},
         {"study.rotation", "an array of 1 to 64 rotations", "", "", "[\"rigid\"]",
          "of methods in closed form, each with each: what a free body's spin does to its modes and they to it. rigid: "
-         "nothing; coupled: centrifugal, gyroscopic and stiffening terms; unstiffened: the first two; only in scenes "
-         "with contact",
+         "nothing; coupled: centrifugal, gyroscopic and stiffening terms; unstiffened: the first two; only in "
+         "scenes with contact or of free bodies of finite kinematics",
          ""},
         {"study.load_tolerance", "a number", "[1e-9, 0.1]", "", "1e-5",
          "error allowed where a chirp or expression is resampled for the closed form, relative to its peak", ""},
@@ -73,6 +73,7 @@ const std::vector<KeyGroup>& study_keys() {
          "`exact` where [truth] names a closed form", "\"same_mesh\""},
         {"check.modes", "an integer", "[0, 4096]", "", "required where the method takes a mode count",
          "one of the study's, in every profile", "16"},
+        {"check.rotation", "one of rigid, coupled, unstiffened", "", "", "each of the study's", "which run", ""},
         {"check.table", "a name", "", "", "required for a table", "of a table that an analysis of the study makes", ""},
         {"check.column", "a text of at most 200 bytes", "", "", "required for a table", "name of a column", ""},
         {"check.row", "a text of at most 200 bytes", "", "", "every row", "first cell of the rows meant", ""},

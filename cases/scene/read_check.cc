@@ -38,6 +38,10 @@ void check_is_run(Section& section, const Check& check, const CheckContext& cont
     section.error("modes", fmt::format("{} does not run {} modes", context.runs, check.modes),
                   "'modes' of a check is one of the mode counts in [study], and in every profile that states others");
   }
+  const auto is_asked = [&](RotationCoupling rotation) { return to_string(rotation) == check.rotation; };
+  if (!check.rotation.empty() && std::ranges::none_of(study.rotations, is_asked))
+    section.error("rotation", fmt::format("the study does not run rotation '{}'", check.rotation),
+                  "'rotation' of a check is one of those in [study]");
   if (!study.methods.empty() &&
       std::find(study.methods.begin(), study.methods.end(), check.method) == study.methods.end()) {
     section.error("method", fmt::format("the study does not run method '{}'", check.method),
@@ -63,6 +67,9 @@ bool read_run(Section& section, const CheckContext& context, const Vocabulary& v
   }
   const bool has_modes = method ? takes_modes(*method, vocabulary) : section.has("modes");
   const auto modes = has_modes ? section.integer("modes", {0, 4096}) : no_modes(section, method);
+  if (section.has("rotation"))
+    check.rotation =
+        section.choice("rotation", {{"rigid", "coupled", "unstiffened"}, "rotation", "rotations"}).value_or("");
   if (!method || !metric || !truth || !modes) return false;
   check.method = *method;
   check.metric = *metric;
@@ -74,12 +81,12 @@ bool read_run(Section& section, const CheckContext& context, const Vocabulary& v
 
 // Of a table that an analysis makes: every row of a column, or those that begin with `row`.
 bool read_table_check(Section& section, const CheckContext& context, Check& check) {
-  for (const char* key : {"method", "metric", "truth", "modes"}) {
+  for (const char* key : {"method", "metric", "truth", "modes", "rotation"}) {
     if (!section.has(key)) continue;
     section.findings().error(
         section.where_key(key),
         fmt::format("{} has both 'table' and '{}': a check is of a table or of a run", section.title(), key),
-        "of a table: table, column, row; of a run: method, metric, truth, modes");
+        "of a table: table, column, row; of a run: method, metric, truth, modes, rotation");
   }
   const auto table = section.name("table");
   const auto column = section.text("column", most_label);

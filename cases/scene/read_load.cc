@@ -77,10 +77,25 @@ std::optional<Traction> read_traction(Section section, const std::vector<BodyDra
   return traction;
 }
 
+bool read_follows(Section& section) {
+  return section.has("axes") && section.choice("axes", {{"start", "body"}, "axes", "axes"}) == "body";
+}
+
+void check_turning(Section& section, const std::vector<Traction>& tractions, const std::vector<BodyDraft>& bodies) {
+  for (const BodyDraft& body : bodies) {
+    const bool loaded = std::ranges::any_of(tractions, [&](const Traction& t) { return t.body == body.name; });
+    const bool turns = body.supports.supports.empty() && body.kinematics != Kinematics::linear;
+    if (!loaded || turns) continue;
+    section.error("axes", fmt::format("loads turn with free bodies of finite kinematics: '{}' is none", *body.name),
+                  "leave it out");
+  }
+}
+
 }  // namespace
 
 std::optional<Load> read_load(Section section, const std::vector<BodyDraft>& bodies, const HistoryContext& context) {
   const auto name = section.name("name");
+  const bool follows = read_follows(section);
   const auto history_section = section.section("history");
   const auto history = history_section ? read_history(*history_section, context) : std::nullopt;
   auto traction_sections = section.sections("traction", {1, 64});
@@ -88,9 +103,10 @@ std::optional<Load> read_load(Section section, const std::vector<BodyDraft>& bod
   for (Section& entry : traction_sections) {
     if (auto traction = read_traction(entry, bodies)) tractions.push_back(std::move(*traction));
   }
+  if (follows) check_turning(section, tractions, bodies);
   section.finish();
   if (!name || !history) return std::nullopt;
-  return Load{*name, *history, std::move(tractions)};
+  return Load{*name, *history, std::move(tractions), follows};
 }
 
 std::optional<Probe> read_probe(Section section, const std::vector<BodyDraft>& bodies) {

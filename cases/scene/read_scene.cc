@@ -111,8 +111,8 @@ void read_probes(Section& root, const std::vector<BodyDraft>& bodies, Scene& sce
 }
 
 std::string twin_key(const Check& check) {
-  return fmt::format("{} {} {} {} {}\n{}\n{} {}", check.method, check.metric, check.truth, check.modes, check.table,
-                     check.column, check.row, check.at_most.has_value());
+  return fmt::format("{} {} {} {} {} {}\n{}\n{} {}", check.method, check.metric, check.truth, check.modes,
+                     check.rotation, check.table, check.column, check.row, check.at_most.has_value());
 }
 
 void read_checks(Section& root, const CheckContext& context, const Vocabulary& vocabulary, Scene& scene) {

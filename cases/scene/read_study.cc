@@ -71,12 +71,18 @@ std::vector<double> effective_contact_steps(Section& section, std::optional<Sect
   return steps.value_or(std::vector<double>{});
 }
 
-std::vector<RotationCoupling> read_rotations(Section& section, const std::optional<bool>& contact) {
+bool turns_freely(const BodyDraft& body) {
+  return body.kinematics != Kinematics::linear && body.supports.supports.empty();
+}
+
+std::vector<RotationCoupling> read_rotations(Section& section, const std::vector<BodyDraft>& bodies) {
   const char* const key = "rotation";
   if (!section.has(key)) return Study{}.rotations;
-  if (contact == false)
-    section.findings().error(section.where_key(key),
-                             fmt::format("'{}' in {}: only scenes with contact take it", key, section.title()));
+  if (touch(bodies) == false && !std::ranges::all_of(bodies, turns_freely))
+    section.findings().error(
+        section.where_key(key),
+        fmt::format("'{}' in {}: only scenes with contact, or of free bodies of finite kinematics, take it", key,
+                    section.title()));
   std::vector<RotationCoupling> all;
   const auto names = read_unlike(section, key, {{"rigid", "coupled", "unstiffened"}, "rotation", "rotations"});
   for (const std::string& name : values_of(names))
@@ -129,7 +135,7 @@ Study read_study(Section section, std::optional<Section>& profile, const std::ve
   study.methods = values_of(methods);
   study.modes = effective_modes(section, profile, methods && take_modes(*methods, vocabulary), bodies);
   study.contact_steps = effective_contact_steps(section, profile, methods && touch(bodies) == true, touch(bodies));
-  study.rotations = read_rotations(section, touch(bodies));
+  study.rotations = read_rotations(section, bodies);
   study.analyses = read_analyses(section, vocabulary, bodies);
   study.load_tolerance = section.number("load_tolerance", {1e-9, 0.1}, study.load_tolerance);
   const RunContext shared{bodies, vocabulary, times.shortest};

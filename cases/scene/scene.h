@@ -119,6 +119,8 @@ struct Load {
   std::string name;
   History history;
   std::vector<Traction> tractions;  // one spatial pattern, one history
+  // Whether it turns with its body's frame; else it keeps the axes of the start. Of free bodies of finite kinematics.
+  bool follows = false;
 };
 
 struct Probe {
@@ -176,14 +178,15 @@ struct ReferenceFrequencies {
   double uncertainty = 0;     // [-] relative
 };
 
-// What must hold; decides exit codes. Exactly one of at_most and at_least. Of a run: method, metric, truth, modes. Of a
-// table that an analysis makes: table and column, every row of it, or those whose first cell is `row`.
+// What must hold; decides exit codes. Exactly one of at_most and at_least. Of a run: method, metric, truth, modes,
+// rotation. Of a table that an analysis makes: table and column, every row of it, or those whose first cell is `row`.
 struct Check {
   std::string table, column, row;     // "" where the check is of a run
   std::string method, metric, truth;  // truth: "finer", "same_mesh" or "exact"
   int modes;                          // 0 for methods that take no mode count
   std::optional<double> at_most, at_least;
   std::string why;
+  std::string rotation = {};  // of runs: the coupling, or "": of all in the study
 };
 
 struct Scene {

@@ -44,6 +44,9 @@
 //                             duration | force
 //   contact-geometry          method | modes r | degree | coefficients | kept | condition | residual | worst mode |
 //                             largest | static shapes | samples
+//   contact-samples           method | modes r | size / a | samples | duration | peak force | impulse |
+//                             change of duration | ... of peak force | ... of impulse | peak force against truth |
+//                             impulse against truth
 //   contact-time              method | modes r | dt | part | calls | time | time a call | share
 //   contact-time-runs         method | modes r | static shapes | dt | status | steps | samples | visited | time |
 //                             spread | real-time factor | with displacements

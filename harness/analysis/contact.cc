@@ -59,6 +59,7 @@ std::vector<Finding> contact(const AnalysisContext& context) {
       bases.push_back({of, variants.bases(*context.scene, of)});
     }
   std::vector<Finding> found{contact_meetings(*context.scene), contact_geometry(bases), force_history(bases, context)};
+  found.push_back(contact_samples(variants, context));
   for (Finding& times : contact_times(bases, context)) found.push_back(std::move(times));
   return found;
 }

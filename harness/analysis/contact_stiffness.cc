@@ -4,26 +4,12 @@
 #include "cases/contract/touchdown.h"
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/contact_variants.h"
-#include "harness/metrics/contact_metrics.h"
 
 namespace mb {
 
 namespace {
 
 const double factors[] = {0.5, 1, 2};
-
-// Of the first contact of one answer.
-struct Impact {
-  double start, duration, peak, impulse;  // [s], [s], [N], [N s]; NaN where it has none
-};
-Impact impact_of(const Trajectory& answer, const Trajectory& truth) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto contact = first_contact(answer.bodies.front().contact.touches, truth.bodies.front().contact.touches);
-  if (answer.status != Status::ok || !contact) return {nan, nan, nan, nan};
-  const Touch& touch = contact->whole;
-  const double duration = touch.end - touch.start;
-  return {touch.start, std::isfinite(duration) ? duration : nan, touch.peak_force, touch.impulse.norm()};
-}
 
 Finding stiffness_table() {
   return table("contact-stiffness", "contact-stiffness", "What the stiffness of the layer does",

@@ -18,6 +18,8 @@ Finding contact_meetings(const Scene& scene);
 Finding contact_geometry(const std::vector<ContactBasis>& bases);
 // What runs take, and of what; sampled as the scene asks for.
 std::vector<Finding> contact_times(const std::vector<ContactBasis>& bases, const AnalysisContext& context);
+// A contact of law hertz has no samples: then no rows.
+Finding contact_samples(const ContactVariants& variants, const AnalysisContext& context);
 Finding force_history(const std::vector<ContactBasis>& bases, const AnalysisContext& context);
 
 }  // namespace mb

@@ -1,8 +1,10 @@
 #include "harness/analysis/contact_variants.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
+#include "harness/metrics/contact_metrics.h"
 #include "modal/bases/eigenmodes.h"
 #include "modal/contact/contact_step.h"
 
@@ -32,6 +34,15 @@ double least_step(const Study& study) {
 }
 
 }  // namespace
+
+Impact impact_of(const Trajectory& answer, const Trajectory& truth) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto contact = first_contact(answer.bodies.front().contact.touches, truth.bodies.front().contact.touches);
+  if (answer.status != Status::ok || !contact) return {nan, nan, nan, nan};
+  const Touch& touch = contact->whole;
+  const double duration = touch.end - touch.start;
+  return {touch.start, std::isfinite(duration) ? duration : nan, touch.peak_force, touch.impulse.norm()};
+}
 
 ContactVariants::ContactVariants(const AnalysisContext& context)
     : context_(context), n_modes_(std::ranges::max(mode_counts(context))), body_(modal_body(context, n_modes_)) {
@@ -83,7 +94,8 @@ std::shared_ptr<const FloatingBases> bases_of(const Model& model, const std::vec
                                               const ContactContender& contender) {
   std::vector<Modes> asked;
   for (const Modes& modes : all) asked.push_back(leading(modes, contender.modes));
-  return std::make_shared<const FloatingBases>(floating_bases(model, asked, contender.method == "static-correction"));
+  return std::make_shared<const FloatingBases>(
+      floating_bases(model, asked, contender.method == "static-correction", contender.finest_sample));
 }
 
 }  // namespace

@@ -8,10 +8,17 @@
 namespace mb {
 
 struct ContactContender {
-  std::string method;    // "static-correction", "eigenmodes" or "full-order"
-  int modes;             // elastic ones; -1: full order
-  double time_step = 0;  // [s] in contact, of modes
+  std::string method;                        // "static-correction", "eigenmodes" or "full-order"
+  int modes;                                 // elastic ones; -1: full order
+  double time_step = 0;                      // [s] in contact, of modes
+  double finest_sample = mb::finest_sample;  // [-] of the contact's radius, of modes
 };
+
+// Of the first contact of an answer, as the truth has it.
+struct Impact {
+  double start, duration, peak, impulse;  // [s], [s], [N], [N s]; NaN where it has none
+};
+Impact impact_of(const Trajectory& answer, const Trajectory& truth);
 
 class ContactVariants {
  public:

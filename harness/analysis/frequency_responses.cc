@@ -95,7 +95,7 @@ std::vector<Answer> answers(const ModalBody& body, const RowVectorXd& probe, con
     const bool is_drawn = std::find(drawn.begin(), drawn.end(), r) != drawn.end();
     const Response plain =
         of_system(std::make_shared<System>(project(body.system, modes)), RowVectorXd(probe * modes.Phi));
-    const RowVectorXcd rest = (probe * residual_flexibility(body.system, modes, static_response)).cast<Complex>();
+    const RowVectorXcd rest = (probe * residual_flexibility(modes, body.system.F, static_response)).cast<Complex>();
     all.push_back(answer("eigenmodes", used, is_drawn, plain, f, n_loads));
     const Response corrected = [=](double at) -> RowVectorXcd { return plain(at) + rest; };
     all.push_back(answer("static-correction", used, is_drawn, corrected, f, n_loads));

@@ -34,7 +34,7 @@ std::unique_ptr<Prepared> corrected(const AnalysisContext& context, const ModalB
   kept.Phi.conservativeResize(Eigen::NoChange, n);
   const MatrixXd G_F = inertia_relief(body.system, body.shifted, body.system.F);
   std::vector<LinearBody> bodies;
-  bodies.push_back(reduce(body.model, kept, residual_flexibility(body.system, kept, G_F)));
+  bodies.push_back(reduce(body.model, kept, residual_flexibility(kept, body.system.F, G_F)));
   const Scene& scene = *context.scene;
   Settings settings;
   settings.load_tolerance = scene.study.load_tolerance;

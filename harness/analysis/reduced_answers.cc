@@ -18,7 +18,7 @@ Trajectory ReducedAnswers::answer(const std::string& method, const Integrator& i
   const Modes modes = leading(body_.modes, settings.modes);
   const bool corrected = method == "static-correction";
   const MatrixXd rest =
-      corrected ? residual_flexibility(body_.system, modes, static_response_) : MatrixXd(body_.system.F.rows(), 0);
+      corrected ? residual_flexibility(modes, body_.system.F, static_response_) : MatrixXd(body_.system.F.rows(), 0);
   const auto observed = [&](const SparseMatrix& at_points) {
     return Observation{.of_state = MatrixXd(at_points * modes.Phi), .of_load = MatrixXd(at_points * rest)};
   };

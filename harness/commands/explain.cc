@@ -65,7 +65,8 @@ std::vector<Meaning> vocabulary(const Catalogue& catalogue) {
 std::string limit(const Check& check) {
   const std::string what =
       check.table.empty()
-          ? fmt::format("{} r={} {} against {}", check.method, check.modes, check.metric, check.truth)
+          ? fmt::format("{} r={} {}{}{} against {}", check.method, check.modes, check.rotation,
+                        check.rotation.empty() ? "" : " ", check.metric, check.truth)
           : fmt::format("table {}, column {}{}", check.table, check.column, check.row.empty() ? "" : ", " + check.row);
   return fmt::format("{} {} {:g}", what, check.at_most ? "at most" : "at least",
                      check.at_most ? *check.at_most : *check.at_least);

@@ -79,9 +79,10 @@ bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored,
       continue;
     }
     const bool upper = check.at_most.has_value();
-    const std::string of = check.table.empty() ? fmt::format("{} r={} · {} against {}", check.method, check.modes,
-                                                             check.metric, check.truth)
-                                               : subject_of(check);
+    const std::string of =
+        check.table.empty() ? fmt::format("{} r={}{}{} · {} against {}", check.method, check.modes,
+                                          check.rotation.empty() ? "" : " ", check.rotation, check.metric, check.truth)
+                            : subject_of(check);
     const bool open = result.measured && !result.decidable;  // no pass: what is not known does not hold
     const std::string bar = result.error_bar > 0 ? fmt::format(" +- {:.1e}", result.error_bar) : "";
     fmt::print(console.out, "{:<5} {} · {} = {} (must be {} {:g}){}\n",

@@ -28,8 +28,9 @@ std::optional<FirstContact> first_contact(const std::vector<Touch>& touches, con
 
 // Rebound by approach speed of the centroid along the impulse of a touch, free bodies alone:
 //   e = -(v + J/m + g (end - start)) . j / (v . j),   j = J/|J|,   v the velocity at the start
-// of two free bodies v and J/m those of one against the other, and of a ball that strikes the body, which feels -J:   e = |J|/(m v) - 1,   m and v of the ball. NaN while the touch
-// lasts. m of a body is that of its shape: a mesh that lacks volume rebounds faster.
+// of two free bodies v and J/m those of one against the other, and of a ball that strikes the body, which feels -J:
+//   e = |J|/(m v) - 1,   m and v of the ball
+// NaN while the touch lasts. m of a body is that of its shape: a mesh that lacks volume rebounds faster.
 double restitution(const Scene& scene, const Body& body, const Touch& touch);
 
 }  // namespace mb

@@ -142,9 +142,9 @@ FiniteStage::Kept* FiniteStage::tangent_at(const VectorXd& u, double gamma, Outc
 }
 
 // r = M v - b + gamma r(u, v), of the step without contact
-bool FiniteStage::residual(const VectorXd& b, const VectorXd& a, double gamma, const VectorXd& v) {
+bool FiniteStage::residual(double t, const VectorXd& b, const VectorXd& a, double gamma, const VectorXd& v) {
   u_.noalias() = a + gamma * v;
-  if (!force_.resistance(u_, v, f_)) return false;
+  if (!force_.resistance(t, u_, v, f_)) return false;
   r_.resize(v.size());
   force_.mass(v, r_);
   r_ += gamma * f_ - b;
@@ -164,11 +164,11 @@ bool FiniteStage::iterate(Kept& kept, const VectorXd& a, double contact_toleranc
   return contact.converged && std::isfinite(next_.sum());
 }
 
-FiniteStage::Outcome FiniteStage::solve(const VectorXd& b, const VectorXd& a, double gamma, double tolerance,
+FiniteStage::Outcome FiniteStage::solve(double t, const VectorXd& b, const VectorXd& a, double gamma, double tolerance,
                                         double contact_tolerance, VectorXd& v) {
   constexpr double unknown = std::numeric_limits<double>::infinity();
   Outcome outcome;
-  if (!residual(b, a, gamma, v)) return outcome.inverted = true, outcome;
+  if (!residual(t, b, a, gamma, v)) return outcome.inverted = true, outcome;
   Kept* kept = tangent_at(u_, gamma, outcome);
   if (!kept) return outcome.inverted = true, outcome;
   double before = unknown;
@@ -185,7 +185,7 @@ FiniteStage::Outcome FiniteStage::solve(const VectorXd& b, const VectorXd& a, do
     }
     // Less of the way where all of it inverts.
     before = change;
-    for (int halving = 0; !residual(b, a, gamma, next_); ++halving) {
+    for (int halving = 0; !residual(t, b, a, gamma, next_); ++halving) {
       if (halving == max_halvings) return outcome.inverted = true, outcome;
       next_ = 0.5 * (v + next_);
       before = unknown;

@@ -1,6 +1,6 @@
 // The nonlinear equation of an implicit step of a body of finite deformation, in contact or not,
 //
-//   M v = b - gamma r(u, v) + gamma f_C(u, v),   u = a + gamma v,   r = f(u, v) + alpha M (v - R R^T M v)
+//   M v = b - gamma r(u, v) + gamma f_C(u, v),   u = a + gamma v,   r: the resistance of finite_force.h
 //
 // by Newton's method with a tangent that is kept, made at some u_0, and turned with the body, or each of them with its
 // own:
@@ -63,8 +63,9 @@ class FiniteStage {
   };
   // v: a guess on entry, the solution on return. tolerance [m/s]: of the largest component of its error.
   // contact_tolerance [m/s]: to which contact balances in every iteration.
-  Outcome solve(const VectorXd& b, const VectorXd& a, double gamma, double tolerance, double contact_tolerance,
-                VectorXd& v);
+  // t [s]: of the loads that turn with the body.
+  Outcome solve(double t, const VectorXd& b, const VectorXd& a, double gamma, double tolerance,
+                double contact_tolerance, VectorXd& v);
 
  private:
   struct Kept {
@@ -76,7 +77,7 @@ class FiniteStage {
   Kept* tangent_at(const VectorXd& u, double gamma, Outcome& outcome);
   bool renew(Kept& kept, const VectorXd& u, Outcome& outcome);
   bool iterate(Kept& kept, const VectorXd& a, double contact_tolerance, const VectorXd& v, Outcome& outcome);
-  bool residual(const VectorXd& b, const VectorXd& a, double gamma, const VectorXd& v);
+  bool residual(double t, const VectorXd& b, const VectorXd& a, double gamma, const VectorXd& v);
 
   static constexpr size_t most = 3;
   const System& system_;

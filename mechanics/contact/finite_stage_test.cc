@@ -141,7 +141,7 @@ TEST(FiniteStage, SolvesTheWholeEquation) {
           VectorXd a(n), b(n), v(n);
           for (Index i = 0; i < n; ++i) a[i] = 2e-3 * normal(random), b[i] = mass * normal(random), v[i] = b[i] / mass;
           const VectorXd guess = v;
-          const auto outcome = stage.solve(b, a, gamma, 1e-11, 1e-12, v);
+          const auto outcome = stage.solve(0, b, a, gamma, 1e-11, 1e-12, v);
           EXPECT_TRUE(outcome.converged);
           EXPECT_LT(residual(s, touches ? &forces : nullptr, a, gamma, b, v), 1e-9);  // 1e-11 m/s, condition 100
           EXPECT_GT((v - guess).norm(), 1e-3);
@@ -158,11 +158,12 @@ TEST(FiniteStage, TurnsWithTheBody) {
   const Springs& springs = dynamic_cast<const Springs&>(*s.stored_energy);
   const VectorXd stretched = 0.02 * springs.X(), b = mass * VectorXd::LinSpaced(n, -1, 1);
   VectorXd v = VectorXd::Zero(n);
-  ASSERT_TRUE(stage.solve(b, stretched, 1e-3, 1e-10, 1e-12, v).converged);
+  ASSERT_TRUE(stage.solve(0, b, stretched, 1e-3, 1e-10, 1e-12, v).converged);
   const Matrix3d Q = Eigen::AngleAxisd(1.3, Vector3d::UnitZ()).toRotationMatrix();
   const auto turn = [&](const VectorXd& x) { return VectorXd((Q * x.reshaped(3, n_nodes).matrix()).reshaped()); };
   VectorXd v_turned = VectorXd::Zero(n);
-  const auto outcome = stage.solve(turn(b), turn(springs.X() + stretched) - springs.X(), 1e-3, 1e-10, 1e-12, v_turned);
+  const auto outcome =
+      stage.solve(0, turn(b), turn(springs.X() + stretched) - springs.X(), 1e-3, 1e-10, 1e-12, v_turned);
   EXPECT_TRUE(outcome.converged);
   EXPECT_EQ(outcome.factorisations, 0);
   EXPECT_LT((v_turned - turn(v)).norm(), 1e-9 * v.norm());
@@ -178,7 +179,7 @@ TEST(FiniteStage, GoesOnWhereTheTangentIsIndefinite) {
   VectorXd v = VectorXd::Zero(n), b = VectorXd::Zero(n);
   b[1] = mass;
   FiniteStage stage(s, force, nullptr);
-  const auto outcome = stage.solve(b, pressed, gamma, 1e-9, 1e-12, v);
+  const auto outcome = stage.solve(0, b, pressed, gamma, 1e-9, 1e-12, v);
   EXPECT_GE(outcome.factorisations, 2);
   ASSERT_TRUE(outcome.converged);
   EXPECT_LT(residual(s, nullptr, pressed, gamma, b, v), 1e-6);
@@ -191,7 +192,7 @@ TEST(FiniteStage, InversionIsSaid) {
   FiniteStage stage(s, force, nullptr);
   VectorXd v = VectorXd::Zero(6), a = VectorXd::Zero(6);
   a[0] = length;  // one node on the other
-  const auto outcome = stage.solve(VectorXd::Ones(6), a, 1e-3, 1e-9, 1e-12, v);
+  const auto outcome = stage.solve(0, VectorXd::Ones(6), a, 1e-3, 1e-9, 1e-12, v);
   EXPECT_TRUE(outcome.inverted);
   EXPECT_FALSE(outcome.converged);
   System linear = s;

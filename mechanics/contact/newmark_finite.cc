@@ -16,7 +16,7 @@ namespace {
 constexpr double stage_tolerance = 1e-9;     // [-] of the speeds: far below the error of a step
 constexpr double contact_tolerance = 1e-12;  // [-] likewise: linear momentum is handed over to this
 
-// [m/s] of the contacts, the start, and what loads bring about in a step.
+// [m/s] of the contacts and the start.
 double speed_scale(const System& system, const std::vector<Contact>& contacts) {
   double speed = system.v0.lpNorm<Eigen::Infinity>();
   for (const Contact& contact : contacts) speed = std::max(speed, contact.scale.velocity);
@@ -41,7 +41,7 @@ class NewmarkFinite final : public Stepper {
     stage_.forget();
     VectorXd Ma(n), a_u(n), b(n), f_C;
     Status status = unbalanced(system_.u0, system_.v0, 0, Ma, f_C) ? Status::ok : Status::inverted;
-    double speed = std::max(speed_, h_ * mass_.solve(Ma).lpNorm<Eigen::Infinity>());
+    double speed = std::max({speed_, h_ * mass_.solve(Ma).lpNorm<Eigen::Infinity>(), brought_by_loads(times)});
     ContactRecord record(contact_);
     record.add(0, system_.u0, system_.v0);
     Work work;
@@ -54,8 +54,7 @@ class NewmarkFinite final : public Stepper {
       b += gamma * Ma;
       force_.add_load(t1, gamma, b);
       speed = std::max(speed, from.v.lpNorm<Eigen::Infinity>());
-      if (speed == 0) speed = mass_.solve(b).lpNorm<Eigen::Infinity>();  // loads begin
-      const auto outcome = stage_.solve(b, a_u, gamma, stage_tolerance * speed, contact_tolerance * speed, to.v);
+      const auto outcome = stage_.solve(t1, b, a_u, gamma, stage_tolerance * speed, contact_tolerance * speed, to.v);
       work.solves += outcome.solves;
       work.factorisations += outcome.factorisations;
       to.u.noalias() = a_u + gamma * to.v;
@@ -79,6 +78,17 @@ class NewmarkFinite final : public Stepper {
   }
 
  private:
+  // [m/s] in a step, by the loads at their peaks: while they begin, rounding of the forces within the body is more than
+  // any part of what moves.
+  double brought_by_loads(const VectorXd& times) const {
+    if (times.size() == 0 || !(times[times.size() - 1] > 0)) return 0;
+    double largest = 0;
+    for (Index l = 0; l < system_.F.cols(); ++l)
+      largest = std::max(largest, peak(system_.s[static_cast<size_t>(l)], times[times.size() - 1]) *
+                                      mass_.solve(VectorXd(system_.F.col(l))).lpNorm<Eigen::Infinity>());
+    return h_ * largest;
+  }
+
   // M a = F s - r(u, v) + f_C
   bool unbalanced(const VectorXd& u, const VectorXd& v, double t, VectorXd& Ma, VectorXd& f_C) const {
     if (!force_(t, u, v, Ma)) return Ma.setZero(u.size()), false;

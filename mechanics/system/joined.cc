@@ -83,7 +83,10 @@ System joined(const std::vector<System>& systems) {
     all.lumped_mass = diagonal(systems, [](const System& s) { return s.lumped_mass; });
   all.R = staircase(systems, [](const System& s) { return s.R; });
   all.F = staircase(systems, [](const System& s) { return s.F; });
-  for (const System& s : systems) all.s.insert(all.s.end(), s.s.begin(), s.s.end());
+  for (const System& s : systems) {
+    all.s.insert(all.s.end(), s.s.begin(), s.s.end());
+    for (size_t l = 0; l < s.s.size(); ++l) all.follows.push_back(!s.follows.empty() && s.follows[l]);
+  }
   all.u0 = stacked(systems, [](const System& s) { return s.u0; });
   all.v0 = stacked(systems, [](const System& s) { return s.v0; });
   all.damping = systems.front().damping;

@@ -17,6 +17,7 @@ void require_consistent(const System& system) {
       system.F.cols() == static_cast<Index>(system.s.size()) && (system.s.empty() || system.F.rows() == n);
   const bool rigid = system.R.cols() == 0 || (system.R.rows() == n && system.R.cols() <= n);
   const bool ratios = modal.W.cols() == modal.d.size() && (modal.d.size() == 0 || modal.W.rows() == n);
+  const bool turning = system.follows.empty() || system.follows.size() == system.s.size();
   const bool states = system.u0.size() == n && system.v0.size() == n;
   const auto refuse = [n](const char* which) {
     throw std::invalid_argument(fmt::format("system of {} unknowns: sizes of {} disagree", n, which));
@@ -24,6 +25,7 @@ void require_consistent(const System& system) {
   if (!masses || !is_square(system.K)) refuse("M, lumped mass and K");
   if (system.viscous.rows() != 0 && !is_square(system.viscous)) refuse("M and V");
   if (!loads) refuse("F and s");
+  if (!turning) refuse("F and follows");
   if (!rigid) refuse("R and M");
   if (!ratios) refuse("W and d of modal damping");
   if (!states) refuse("u0, v0 and M");

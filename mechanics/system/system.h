@@ -3,7 +3,8 @@
 //   M u'' + C u' + K u = F s(t),    u(0) = u0, u'(0) = v0,
 //   C = alpha (M - M R R^T M) + beta K + W diag(d) W^T + V
 //
-// or with finite deformation (stored_energy.h)   M u'' + alpha M (1 - P(u)) u' + f(u, u') = F s(t).
+// or with finite deformation (stored_energy.h)   M u'' + alpha M (1 - P(u)) u' + f(u, u') = F s(t) + Q(u) F' s'(t),
+// F' of loads that turn with the body.
 //
 // Free degrees of freedom only: supports are condensed, never unit rows. A reduced system is a System again, so every
 // integrator and every measure works on both.
@@ -35,6 +36,8 @@ struct System {
   SparseMatrix viscous = {};  // V [N s/m] n x n, symmetric positive semi-definite; 0 x 0: none (joined.h)
   // Of finite deformation: then K u + beta K v stands for it near rest alone. Methods that reduce take K.
   std::shared_ptr<const StoredEnergy> stored_energy = nullptr;
+  // Likewise: which loads turn with the body, Q(u) F s; one a column of F, or empty: none.
+  std::vector<bool> follows = {};
 };
 
 void require_consistent(const System& system);  // throws std::invalid_argument where sizes disagree

@@ -11,8 +11,8 @@ BodyFlight::BodyFlight(const FloatingBody& body, const BodyState& start, double 
     : body_(body), start_(start), t0_(t0), axes_(1, 0, 0, 0) {
   start_.s.conservativeResize(body.n_static());
   if (body.static_damping == 0) start_.s.setZero();  // no force, no static shape
-  if (body.free && body.coupling) coupled_.emplace(body, start_, t0);
-  if (!body.free || body.coupling || start.L.isZero(0)) return;
+  if (body.free && (body.coupling || body.loads)) coupled_.emplace(body, start_, t0);
+  if (!body.free || coupled_ || start.L.isZero(0)) return;
   const PrincipalAxes principal = principal_axes(body.inertia);
   axes_ = principal.axes;
   const Vector3d Omega = start.Q.conjugate() * angular_velocity(body, start);
@@ -22,7 +22,7 @@ BodyFlight::BodyFlight(const FloatingBody& body, const BodyState& start, double 
 BodyState BodyFlight::at(double t) const {
   BodyState now = coupled_ ? coupled_->at(t) : start_;
   const double tau = t - t0_;
-  if (body_.free) {
+  if (body_.free && !body_.loads) {
     now.c += tau * start_.v + (tau * tau / 2) * body_.gravity;
     now.v += tau * body_.gravity;
     if (rotation_) now.Q = rotation_->at(tau).orientation * axes_.conjugate();

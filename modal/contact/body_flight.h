@@ -3,7 +3,7 @@
 //   c = c0 + v0 t + g t^2/2,   torque-free rotation (mechanics/rigid/torque_free.h),   free damped vibration of each
 //   mode
 //
-// With coupling of rotation and modes c alone has a closed form; the rest goes in steps to a tolerance
+// With coupling of rotation and modes c alone has a closed form; the rest, with loads all, goes in steps to a tolerance
 // (coupled_flow.h).
 #pragma once
 
@@ -19,8 +19,8 @@ class BodyFlight {
   BodyFlight(const FloatingBody& body, const BodyState& start, double t0);  // t0 [s]; the body must outlive this
   BodyState at(double t) const;                                             // t [s] >= t0
   double start() const { return t0_; }
-  // With coupling, else none and never: steps taken so far; whether they came to an end before a time that was asked
-  // for.
+  // With coupling or loads, else none and never: steps taken so far; whether they came to an end before a time that was
+  // asked for.
   long n_steps() const { return coupled_ ? coupled_->n_steps() : 0; }
   bool failed() const { return coupled_ && coupled_->failed(); }
 

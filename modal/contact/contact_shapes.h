@@ -2,10 +2,11 @@
 //
 //   p_k(X) = sqrt(1 - (|X - X_c| / a_k)^2) on discs a_k = 2 a, 2 a/sqrt(2), a, ... a/8 about the first touch X_c,
 //
-// along the normal; where the blow misses the centroid, so that the body rolls off the disc, and with friction, which
-// makes it lean, also tilted, p_k x/a_k and p_k y/a_k; with friction along the tangents, too,
-// less what the modes and rigid motion carry of it (residual flexibility): Psi = (G - Phi Lambda^-1 Phi^T) F, then made
-// K-orthonormal, Psi^T K Psi = I [J]. Of law hertz, lumped in a point, the response to its force.
+// along the normal; where the blow misses the centroid of the body or of the one it meets, so that they roll off the
+// disc, and with friction, which makes it lean, also tilted, p_k x/a_k and p_k y/a_k; with friction along the
+// tangents, too, less what the modes and rigid motion carry of it (residual flexibility):
+// Psi = (G - Phi Lambda^-1 Phi^T) F, then made K-orthonormal, Psi^T K Psi = I [J]. Of law hertz, lumped in a point, the
+// response to its force.
 #pragma once
 
 #include "cases/contract/model.h"

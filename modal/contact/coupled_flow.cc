@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <stdexcept>
+
+#include "modal/frame/frame_loads.h"
 
 namespace mb {
 
@@ -12,18 +16,19 @@ constexpr double order_gain = 32;  // [-] 2^5: by how much half a step lessens i
 constexpr int deepest = 40;        // halvings of the longest step
 constexpr long most_steps = 2'000'000;
 
-// Of rotation and deformation; of a state without either 1, and no error there is.
+// Of rotation and deformation.
 double internal_energy(const FloatingBody& body, const BodyState& state) {
   const Spin now = spin(body, state);
   double twice = (state.Q * now.Omega).dot(state.L) + now.rate.dot(state.p);
   for (Index i = 0; i < body.n_modes(); ++i) twice += body.modes[static_cast<size_t>(i)].k * state.q[i] * state.q[i];
-  return twice > 0 ? twice / 2 : 1;
+  return twice / 2;
 }
 
 double distance(const FloatingBody& body, const BodyState& a, const BodyState& b, double energy) {
   double modes = (a.p - b.p).squaredNorm();
   for (Index i = 0; i < body.n_modes(); ++i)
     modes += body.modes[static_cast<size_t>(i)].k * std::pow(a.q[i] - b.q[i], 2);
+  if (!(energy > 0)) return (a.Q.coeffs() - b.Q.coeffs()).norm();  // neither moves
   return std::sqrt(modes / (2 * energy) + (a.Q.coeffs() - b.Q.coeffs()).squaredNorm());
 }
 
@@ -41,10 +46,19 @@ CoupledFlow::CoupledFlow(const FloatingBody& body, double h) : body_(body), h_(h
 }
 
 // q' = pi - C^T Omega,   pi' = -lambda q - c pi + c C^T Omega + force
-CoupledFlow::Slope CoupledFlow::slope(const BodyState& y, const VectorXd& b) const {
-  Spin now = spin(body_, y);
+CoupledFlow::Slope CoupledFlow::slope(const BodyState& y, double t, const Start& start) const {
+  const Spin now = spin(body_, y);
   const Eigen::Quaterniond turn = y.Q * Eigen::Quaterniond(0, now.Omega.x(), now.Omega.y(), now.Omega.z());
-  return {-now.carried, now.force + damping_.cwiseProduct(now.carried) - b, turn.coeffs() / 2};
+  const Vector3d none = Vector3d::Zero();
+  Slope slope{-now.carried, now.force + damping_.cwiseProduct(now.carried) - start.b, turn.coeffs() / 2, none, none,
+              none};
+  if (!body_.loads) return slope;
+  const FrameForce load = body_.loads->at(t, start.t, y.Q, y.q);
+  slope.p += load.modal;
+  slope.c = y.v;
+  slope.v = y.Q * load.force / body_.mass + body_.gravity;
+  slope.L = y.Q * load.torque;
+  return slope;
 }
 
 BodyState CoupledFlow::flow(const BodyState& y, const VectorXd& b) const {
@@ -55,7 +69,12 @@ BodyState CoupledFlow::flow(const BodyState& y, const VectorXd& b) const {
 }
 
 CoupledFlow::Slope CoupledFlow::flow(const Slope& x) const {
-  return {C_.cwiseProduct(x.q) + S_.cwiseProduct(x.p), C_dot_.cwiseProduct(x.q) + S_dot_.cwiseProduct(x.p), x.Q};
+  return {C_.cwiseProduct(x.q) + S_.cwiseProduct(x.p),
+          C_dot_.cwiseProduct(x.q) + S_dot_.cwiseProduct(x.p),
+          x.Q,
+          x.c,
+          x.v,
+          x.L};
 }
 
 BodyState CoupledFlow::add(BodyState y, const Slope& x, double part) {
@@ -63,21 +82,29 @@ BodyState CoupledFlow::add(BodyState y, const Slope& x, double part) {
   y.p += part * x.p;
   y.Q.coeffs() += part * x.Q;
   y.Q.normalize();
+  y.c += part * x.c;
+  y.v += part * x.v;
+  y.L += part * x.L;
   return y;
 }
 
-BodyState CoupledFlow::advance(BodyState state) const {
+// k1 + 2 k2 + 2 k3 + k4
+CoupledFlow::Slope CoupledFlow::weighted(const Slope& k1, const Slope& k2, const Slope& k3, const Slope& k4) {
+  return {k1.q + 2 * (k2.q + k3.q) + k4.q, k1.p + 2 * (k2.p + k3.p) + k4.p, k1.Q + 2 * (k2.Q + k3.Q) + k4.Q,
+          k1.c + 2 * (k2.c + k3.c) + k4.c, k1.v + 2 * (k2.v + k3.v) + k4.v, k1.L + 2 * (k2.L + k3.L) + k4.L};
+}
+
+BodyState CoupledFlow::advance(BodyState state, double t) const {
   const Spin at_start = spin(body_, state);
-  const VectorXd b = at_start.force + damping_.cwiseProduct(at_start.carried);
-  const BodyState half = flow(state, b);
-  const Slope k1 = flow(slope(state, b)), k2 = slope(add(half, k1, h_ / 2), b), k3 = slope(add(half, k2, h_ / 2), b),
-              k3_on = flow(k3);
-  const BodyState whole = flow(half, b);
-  const Slope k4 = slope(add(whole, k3_on, h_), b), k1_on = flow(k1), k2_on = flow(k2);
-  return add(whole,
-             {k1_on.q + 2 * (k2_on.q + k3_on.q) + k4.q, k1_on.p + 2 * (k2_on.p + k3_on.p) + k4.p,
-              k1_on.Q + 2 * (k2_on.Q + k3_on.Q) + k4.Q},
-             h_ / 6);
+  Start from{t, at_start.force + damping_.cwiseProduct(at_start.carried)};
+  if (body_.loads) from.b += body_.loads->at(t, t, state.Q, state.q).modal;
+  const double middle = t + h_ / 2, end = t + h_;
+  const BodyState half = flow(state, from.b);
+  const Slope k1 = flow(slope(state, t, from)), k2 = slope(add(half, k1, h_ / 2), middle, from),
+              k3 = slope(add(half, k2, h_ / 2), middle, from), k3_on = flow(k3);
+  const BodyState whole = flow(half, from.b);
+  const Slope k4 = slope(add(whole, k3_on, h_), end, from), k1_on = flow(k1), k2_on = flow(k2);
+  return add(whole, weighted(k1_on, k2_on, k3_on, k4), h_ / 6);
 }
 
 CoupledFlight::CoupledFlight(const FloatingBody& body, const BodyState& start, double t0, double tolerance)
@@ -86,6 +113,7 @@ CoupledFlight::CoupledFlight(const FloatingBody& body, const BodyState& start, d
   double fastest = angular_velocity(body, start).norm();
   for (const Roots& mode : body.modes) fastest = std::max(fastest, mode.omega);
   longest_ = fastest > 0 ? 16 * pi / fastest : 1;
+  if (body.loads) longest_ = std::min(longest_, body.loads->longest_step);
   level_ = 4;
 }
 
@@ -93,19 +121,26 @@ const CoupledFlow& CoupledFlight::flow(int level) const {
   return flows_.try_emplace(level, body_, std::ldexp(longest_, -level)).first->second;
 }
 
+double CoupledFlight::longest_until_jump() const {
+  return body_.loads ? body_.loads->next_jump(end_) - end_ : std::numeric_limits<double>::infinity();
+}
+
 // Two half steps stand where the whole one agrees.
 void CoupledFlight::extend() const {
-  const double energy = internal_energy(body_, last_);
+  const double energy = internal_energy(body_, last_), until_jump = longest_until_jump();
   for (;;) {
     if (level_ > deepest || n_steps_ >= most_steps || !is_finite(last_)) {
       failed_ = true;
       return;
     }
-    const double h = std::ldexp(longest_, -level_);
-    const BodyState whole = flow(level_).advance(last_);
-    BodyState middle = flow(level_ + 1).advance(last_), end = flow(level_ + 1).advance(middle);
+    const double regular = std::ldexp(longest_, -level_), h = std::min(regular, until_jump);
+    std::optional<CoupledFlow> shorter;
+    if (h < regular) shorter.emplace(body_, h / 2);
+    const CoupledFlow& half = shorter ? *shorter : flow(level_ + 1);
+    const BodyState whole = (h < regular ? CoupledFlow(body_, h) : flow(level_)).advance(last_, end_);
+    BodyState middle = half.advance(last_, end_), end = half.advance(middle, end_ + h / 2);
     n_steps_ += 3;
-    const double error = distance(body_, whole, end, energy) / 15;
+    const double error = distance(body_, whole, end, std::max(energy, internal_energy(body_, end))) / 15;
     if (!(error <= tolerance_)) {
       ++level_;
       continue;
@@ -113,7 +148,7 @@ void CoupledFlight::extend() const {
     nodes_.push_back({end_, std::move(last_)});
     nodes_.push_back({end_ + h / 2, std::move(middle)});
     last_ = std::move(end);
-    end_ += h;
+    end_ = h < until_jump ? end_ + h : body_.loads->next_jump(end_);
     if (level_ > 0 && error * 2 * order_gain < tolerance_) --level_;
     return;
   }
@@ -125,7 +160,7 @@ BodyState CoupledFlight::at(double t) const {
   const auto after = std::upper_bound(nodes_.begin(), nodes_.end(), t, [](double x, const Node& n) { return x < n.t; });
   if (after == nodes_.begin()) return nodes_.empty() ? last_ : nodes_.front().state;
   const Node& node = *std::prev(after);
-  return t == node.t ? node.state : CoupledFlow(body_, t - node.t).advance(node.state);
+  return t == node.t ? node.state : CoupledFlow(body_, t - node.t).advance(node.state, node.t);
 }
 
 }  // namespace mb

@@ -1,167 +1,13 @@
 #include "modal/contact/floating_answer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
-#include "cases/contract/approach.h"
 #include "cases/contract/physical_shift.h"
-#include "mechanics/geometry/graded_rule.h"
-#include "mechanics/geometry/signed_distance.h"
-#include "mechanics/rigid/inertia.h"
-#include "modal/bases/eigenmodes.h"
-#include "modal/contact/contact_shapes.h"
-#include "modal/contact/sample_tables.h"
 #include "modal/contact/spin.h"
-#include "modal/contact/surface_polynomials.h"
-#include "modal/methods/projection.h"
+#include "modal/frame/frame_loads.h"
 
 namespace mb {
-
-namespace {
-
-constexpr double finest = 0.5, grading = 0.35;  // [-] of the contact's radius; of the distance
-constexpr int points_per_cell_edge = 2;
-constexpr double partner_reach = 1;  // [-] of a body's extent: how far from the first touch it may meet its partner
-
-SurfaceSamples samples(const Body& body, const FullModel& full, const Meeting& meeting, const PolynomialBasis& Phi,
-                       const MatrixXd& Psi) {
-  const double l = extent(body.shape);
-  const Grading sizes{std::min(finest * meeting.size.radius, l / 8), l / 8, grading, points_per_cell_edge};
-  GradedRule rule = graded_rule(body.shape, {meeting.X}, sizes);
-  MatrixXd at = Phi.at(rule.points), static_at(at.rows(), Psi.cols());
-  if (Psi.cols() > 0) static_at = full.displacement_at(rule.points) * Psi;
-  return {std::move(rule.points), std::move(rule.weights), std::move(at), std::move(static_at)};
-}
-
-// Hertz's law, lumped in the points that the model has for it.
-SurfaceSamples lumped(const FullModel& full, const RigidSurface& surface, const MatrixXd& Phi, const MatrixXd& Psi) {
-  const ContactPoints points = full.contact_points(surface, 0);
-  return {points.X, points.w, points.U * Phi, points.U * Psi};
-}
-
-std::vector<Roots> roots_of(const Modes& modes, Index n_first, const Rayleigh& damping) {
-  std::vector<Roots> all;
-  for (Index i = n_first; i < modes.size(); ++i) {
-    const double lambda = modes.omega[i] * modes.omega[i];
-    all.push_back(roots({lambda, lambda > 0 ? damping.alpha + damping.beta * lambda : 0}));
-  }
-  return all;
-}
-
-// Phi and Psi of the mesh, n x r and n x n_s.
-struct Shapes {
-  MatrixXd Phi, Psi;
-};
-
-// The other body's surface where the samples of one that comes to it lie at the first touch.
-std::shared_ptr<const PartnerSurface> surface_of_partner(const Model& model, const Body& body, const Meeting& meeting,
-                                                         const Matrix3Xd& samples, size_t other,
-                                                         const Shapes& of_other) {
-  const Body& partner = model.scene->bodies[other];
-  const FullModel& full = *model.bodies[other].full;
-  const Pose pose = Approach(*model.scene, body, &partner).pose(std::isfinite(meeting.t) ? meeting.t : 0);
-  Matrix3Xd feet(3, samples.cols());
-  for (Index i = 0; i < samples.cols(); ++i) {
-    const Vector3d y = pose.to_world(samples.col(i));
-    const Distance d = signed_distance(partner.shape, y);
-    feet.col(i) = y - d.value * d.gradient;
-  }
-  const MatrixXd& Psi = of_other.Psi;
-  MatrixXd static_at(3 * samples.cols(), Psi.cols());
-  if (Psi.cols() > 0) static_at = full.displacement_at(feet) * Psi;
-  const Regression near =
-      polynomials_near(partner.shape, full, of_other.Phi, meeting.Y, partner_reach * extent(body.shape));
-  return std::make_shared<const PartnerSurface>(
-      partner_surface(other, partner.shape, near.basis, std::move(feet), static_at));
-}
-
-std::vector<SampledContact> sampled_contacts(const Model& model, const FloatingBases& bases, size_t i,
-                                             const std::vector<Shapes>& shapes) {
-  const Scene& scene = *model.scene;
-  const Body& body = scene.bodies[i];
-  const FullModel& full = *model.bodies[i].full;
-  std::vector<SampledContact> all;
-  for (const Meeting& meeting : touchdown(scene, body).meetings) {
-    const ContactPair& pair = scene.contacts[meeting.contact];
-    const RigidSurface surface = surface_met(scene, body, meeting);
-    const auto& [Phi, Psi] = shapes[i];
-    all.push_back({pair.law == ContactLaw::hertz ? lumped(full, surface, Phi, Psi)
-                                                 : samples(body, full, meeting, bases[i].geometry.basis, Psi),
-                   surface, law_of(pair, meeting.size)});
-    all.back().tables = std::make_shared<const SampleTables>(sample_tables(all.back().samples));
-    for (const FloatingBasis& other : bases)
-      if (scene.bodies[other.place].name == pair.obstacle)
-        all.back().partner =
-            surface_of_partner(model, body, meeting, all.back().samples.X, other.place, shapes[other.place]);
-  }
-  return all;
-}
-
-// All but its contacts.
-FloatingBasis basis_of(const Model& model, size_t i, const Modes& modes, const Shapes& shapes) {
-  const Body& body = model.scene->bodies[i];
-  const BodyModel& mesh = model.bodies[i];
-  const auto& [Phi, Psi] = shapes;
-  const bool free = !is_held(body), in_flight = body.theory == Theory::solid;
-  const Index r = Phi.cols();
-  const System& system = mesh.full->system();
-  const MassProperties inertia = mass_properties(body.shape, body.material.density);
-  FloatingBasis basis{model.scene,
-                      i,
-                      {free,
-                       inertia.mass,
-                       inertia.inertia,
-                       model.scene->gravity,
-                       roots_of(modes, modes.size() - r, body.damping),
-                       VectorXd::Zero(r),
-                       Psi.transpose() * (system.K * Psi),
-                       {},
-                       body.damping.beta},
-                      {body.pose.position, body.twist.velocity, body.pose.orientation, Vector3d::Zero(),
-                       VectorXd::Zero(r), VectorXd::Zero(r), VectorXd::Zero(Psi.cols())},
-                      polynomials_of(mesh, mesh.displacement * Phi.leftCols(in_flight ? r : 0)),
-                      {},
-                      mesh.points.all(),
-                      mesh.displacement * Phi,
-                      mesh.strain * Phi,
-                      mesh.displacement * Psi,
-                      mesh.strain * Psi,
-                      mesh.full,
-                      Phi};
-  basis.bounds = shape_bounds(body.shape, basis.geometry.basis);
-  if (!free) basis.body.weight = Phi.transpose() * system.F.rowwise().sum();
-  if (body.settled)
-    for (Index k = 0; k < r; ++k)
-      if (const double lambda = basis.body.modes[static_cast<size_t>(k)].k; lambda > 0)
-        basis.start.q[k] = basis.body.weight[k] / lambda;
-  if (!free) basis.start.p = Phi.transpose() * (system.M * system.v0);
-  const Eigen::Quaterniond& Q = body.pose.orientation;
-  basis.start.L = Q * (inertia.inertia * (Q.conjugate() * body.twist.angular_velocity));
-  return basis;
-}
-
-}  // namespace
-
-FloatingBases floating_bases(const Model& model, std::span<const Modes> modes, bool static_contact) {
-  const Scene& scene = *model.scene;
-  if (modes.size() != scene.bodies.size()) throw std::invalid_argument("modes in contact: of every body its own");
-  if (modes.size() > 1 && scene.contacts.size() > 1)
-    throw std::invalid_argument("modes in contact: of several bodies one contact alone");
-  std::vector<Shapes> shapes;
-  FloatingBases bases;
-  for (size_t i = 0; i < modes.size(); ++i) {
-    const Body& body = scene.bodies[i];
-    const Index n_first = is_held(body) ? 0 : modes[i].n_rigid;
-    const MatrixXd& Phi = modes[i].Phi;
-    shapes.push_back({Phi.rightCols(modes[i].size() - n_first),
-                      static_contact ? contact_shapes(scene, body, model.bodies[i], modes[i], physical_shift(body))
-                                     : MatrixXd(Phi.rows(), 0)});
-    bases.push_back(basis_of(model, i, modes[i], shapes.back()));
-  }
-  for (size_t i = 0; i < bases.size(); ++i) bases[i].body.contacts = sampled_contacts(model, bases, i, shapes);
-  return bases;
-}
 
 std::vector<ImpactPlan> impact_plans(const FloatingBases& bases, ContactScheme scheme, double step,
                                      RotationCoupling rotation) {
@@ -192,8 +38,12 @@ void place(const FloatingBasis& basis, const BodyState& state, Eigen::Ref<Vector
 BodyTrajectory observed(const FloatingBasis& basis, const ImpactMotion& motion, const Sampling& sampling) {
   const Index n_t = sampling.t.size(), r = basis.body.n_modes(), n_s = basis.body.n_static();
   BodyTrajectory body;
-  body.contact = motion.contact;
+  const FrameLoads* const loads = basis.body.loads.get();
+  if (!loads) body.contact = motion.contact;
   if (!sampling.reconstruct) return body;
+  MatrixXd a(basis.load_displacement.cols(), n_t);  // of loads' patterns
+  for (Index k = 0; loads && a.rows() > 0 && k < std::ssize(motion.states); ++k)
+    a.col(k) = loads->amplitudes(sampling.t[k], sampling.t[k], motion.states[static_cast<size_t>(k)].Q);
   MatrixXd q = MatrixXd::Zero(r, n_t), s = MatrixXd::Zero(n_s, n_t);
   for (size_t k = 0; k < motion.states.size(); ++k) {
     q.col(static_cast<Index>(k)) = motion.states[k].q;
@@ -201,19 +51,21 @@ BodyTrajectory observed(const FloatingBasis& basis, const ImpactMotion& motion, 
   }
   body.displacement.noalias() = basis.displacement * q;
   if (n_s > 0) body.displacement.noalias() += basis.static_displacement * s;
+  if (a.rows() > 0) body.displacement.noalias() += basis.load_displacement * a;
   for (size_t k = 0; k < motion.states.size(); ++k)
     place(basis, motion.states[k], body.displacement.col(static_cast<Index>(k)));
   if (!sampling.strain) return body;
   body.strain = basis.strain * q;
   if (n_s > 0) body.strain.noalias() += basis.static_strain * s;
-  body.energy = motion.energy;
+  if (a.rows() > 0) body.strain.noalias() += basis.load_strain * a;
+  if (!loads) body.energy = motion.energy;
   return body;
 }
 
 class PreparedFloating final : public Prepared {
  public:
   PreparedFloating(std::shared_ptr<const FloatingBases> bases, ContactScheme scheme, const Settings& settings)
-      : bases_(std::move(bases)), plans_(impact_plans(*bases_, scheme, settings.time_step, settings.rotation)) {}
+      : bases_(std::move(bases)), plans_(impact_plans(*bases_, scheme, step_of(settings), settings.rotation)) {}
 
   Trajectory simulate(const Sampling& sampling) const override {
     if (sampling.shutter != 0) throw std::invalid_argument("no exact means in contact");
@@ -237,15 +89,20 @@ class PreparedFloating final : public Prepared {
   }
 
  private:
+  // Without contact no step is taken, and none is stated.
+  double step_of(const Settings& settings) const {
+    return bases_->front().body.loads ? bases_->front().scene->duration : settings.time_step;
+  }
+
   std::shared_ptr<const FloatingBases> bases_;
   std::vector<ImpactPlan> plans_;
 };
 
 }  // namespace
 
-void answer_in_contact(Reduction& reduction, const Model& model, std::span<const Modes> modes, bool static_contact) {
-  if (model.scene->contacts.empty()) return;
-  const auto bases = std::make_shared<const FloatingBases>(floating_bases(model, modes, static_contact));
+void answer_in_frames(Reduction& reduction, const Model& model, std::span<const Modes> modes, bool corrected) {
+  if (model.scene->contacts.empty() && !turn_freely(*model.scene)) return;
+  const auto bases = std::make_shared<const FloatingBases>(floating_bases(model, modes, corrected));
   reduction.in_contact = [bases](const Integrator& integrator, const Settings& settings) {
     return prepare_floating(bases, integrator, settings);
   };
@@ -255,6 +112,8 @@ std::unique_ptr<Prepared> prepare_floating(std::shared_ptr<const FloatingBases> 
                                            const Settings& settings) {
   const auto scheme = contact_scheme(integrator.name);
   if (!scheme) throw std::invalid_argument("integrator '" + integrator.name + "' has no steps in contact for modes");
+  if (bases->front().body.loads && *scheme != ContactScheme::exact)
+    throw std::invalid_argument("modes of a body that turns: loads move it to a tolerance, integrator 'exact' alone");
   return std::make_unique<PreparedFloating>(std::move(bases), *scheme, settings);
 }
 

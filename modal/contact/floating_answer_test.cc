@@ -170,9 +170,9 @@ TEST(FloatingAnswer, WhatItCannotDoIsRefused) {
   without.contacts.clear();
   Model free = model;
   free.scene = std::make_shared<const Scene>(without);
-  answer_in_contact(reduction, free, {&few, 1}, false);
+  answer_in_frames(reduction, free, {&few, 1}, false);
   EXPECT_FALSE(reduction.in_contact);
-  answer_in_contact(reduction, model, {&few, 1}, false);
+  answer_in_frames(reduction, model, {&few, 1}, false);
   EXPECT_TRUE(reduction.in_contact);
 }
 

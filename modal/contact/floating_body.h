@@ -41,6 +41,7 @@ struct PartnerSurface {
 
 struct SampleTables;  // sample_tables.h
 struct SpinCoupling;  // spin.h
+struct FrameLoads;    // frame_loads.h
 
 struct SampledContact {
   SurfaceSamples samples;
@@ -62,6 +63,7 @@ struct FloatingBody {
   double static_damping = 0; /* beta [s] >= 0, of Rayleigh's damping */
   // Of a free body: how its spin strains it and its modes turn it. None: its rotation is a rigid body's.
   std::shared_ptr<const SpinCoupling> coupling = nullptr;
+  std::shared_ptr<const FrameLoads> loads = nullptr;  // on a free body that nothing touches
 
   Index n_modes() const { return static_cast<Index>(modes.size()); }
   Index n_static() const { return static_stiffness.rows(); }

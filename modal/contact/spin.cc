@@ -89,7 +89,17 @@ SpinCoupling spin_coupling(const FullModel& full, const MatrixXd& Phi, bool stif
   return coupling;
 }
 
+namespace {
+
+Spin rigid_spin(const FloatingBody& body, const BodyState& state) {
+  const VectorXd nothing = VectorXd::Zero(body.n_modes());
+  return {body.inertia.ldlt().solve(state.Q.conjugate() * state.L), state.p, nothing, nothing};
+}
+
+}  // namespace
+
 Spin spin(const FloatingBody& body, const BodyState& state) {
+  if (!body.coupling) return rigid_spin(body, state);
   const SpinCoupling& of = *body.coupling;
   const Index r = body.n_modes();
   MatrixXd HQ(r, 6), C(3, r);  // columns H q; C e_j = sum_i q_i D_ij

@@ -45,14 +45,14 @@ SpinCoupling spin_coupling(const Matrix3Xd& X, const VectorXd& masses, const Mat
 // as physical_shift's.
 SpinCoupling spin_coupling(const FullModel& full, const MatrixXd& Phi, bool stiffened, double shift);
 
-// A state's velocities and, of a body with coupling, what its spin does to the modes.
+// A state's velocities and what its spin does to the modes, nothing without coupling.
 struct Spin {
   Vector3d Omega;    // [rad/s] body axes
   VectorXd rate;     // [m kg^1/2 / s] q', r
   VectorXd carried;  // [m kg^1/2 / s] C^T Omega, r
   VectorXd force;    // [N kg^-1/2] centrifugal and gyroscopic, r
 };
-Spin spin(const FloatingBody& body, const BodyState& state);  // of a body with coupling
+Spin spin(const FloatingBody& body, const BodyState& state);  // of a free body
 
 Vector3d angular_velocity(const FloatingBody& body, const BodyState& state);  // [rad/s] world
 VectorXd rates(const FloatingBody& body, const BodyState& state);             // q'

@@ -27,7 +27,7 @@ class Polynomials : public LinearMethod {
       reduction.modes_used = std::max(reduction.modes_used, static_cast<int>(modes.size() - modes.n_rigid));
       all.push_back(modes);
     }
-    answer_in_contact(reduction, model, all, false);
+    answer_in_frames(reduction, model, all, false);
     return reduction;
   }
 

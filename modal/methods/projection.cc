@@ -56,11 +56,11 @@ System project(const System& system, const Modes& modes) {
   return reduced;
 }
 
-MatrixXd residual_flexibility(const System& system, const Modes& modes, const MatrixXd& G_F) {
+MatrixXd residual_flexibility(const Modes& modes, const MatrixXd& F, const MatrixXd& G_F) {
   const Index n_elastic = modes.size() - modes.n_rigid;
   const auto Phi = modes.Phi.rightCols(n_elastic);
   const VectorXd flexibility = modes.omega.tail(n_elastic).array().square().inverse();
-  return G_F - Phi * (flexibility.asDiagonal() * (Phi.transpose() * system.F));
+  return G_F - Phi * (flexibility.asDiagonal() * (Phi.transpose() * F));
 }
 
 LinearBody reduce(const BodyModel& body, const Modes& modes, const MatrixXd& correction) {

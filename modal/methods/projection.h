@@ -14,7 +14,7 @@ namespace mb {
 System project(const System& system, const Modes& modes);
 
 // Static response of the modes left out, (G - Phi_e Lambda_e^-1 Phi_e^T) F [m], n x loads; G_F = G F.
-MatrixXd residual_flexibility(const System& system, const Modes& modes, const MatrixXd& G_F);
+MatrixXd residual_flexibility(const Modes& modes, const MatrixXd& F, const MatrixXd& G_F);
 
 // A body of the model in a basis; correction [m]: n x loads, or 0 columns for none.
 LinearBody reduce(const BodyModel& body, const Modes& modes, const MatrixXd& correction);

@@ -21,13 +21,13 @@ Reduction in_eigenmodes(const Model& model, const Settings& settings, bool corre
     const ShiftedFactor shifted = shifted_factor(system, physical_shift(model.scene->bodies.at(i)));
     const Modes modes = lowest_modes(system, settings.modes, shifted);
     const MatrixXd correction = corrected
-                                    ? residual_flexibility(system, modes, inertia_relief(system, shifted, system.F))
+                                    ? residual_flexibility(modes, system.F, inertia_relief(system, shifted, system.F))
                                     : MatrixXd(system.F.rows(), 0);
     reduction.bodies.push_back(reduce(body, modes, correction));
     reduction.modes_used = std::max(reduction.modes_used, static_cast<int>(modes.size() - modes.n_rigid));
     all.push_back(modes);
   }
-  answer_in_contact(reduction, model, all, corrected);
+  answer_in_frames(reduction, model, all, corrected);
   return reduction;
 }
 

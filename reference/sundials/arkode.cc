@@ -81,7 +81,7 @@ bool solve_finite(Problem& p, const Stage& stage, N_Vector correction) {
   p.parts.finite->force.add_load(p.load_time(stage.t), stage.gamma, p.b);
   p.v = stage.part(stage.predicted, p.n, p.n);
   const double exact = std::max(contact_tolerance * p.tolerance, 1e-13 * p.speed);
-  const auto outcome = p.parts.finite->stage.solve(p.b, a, stage.gamma, p.tolerance, exact, p.v);
+  const auto outcome = p.parts.finite->stage.solve(p.load_time(stage.t), p.b, a, stage.gamma, p.tolerance, exact, p.v);
   p.work.solves += outcome.solves;
   p.work.factorisations += outcome.factorisations;
   ++p.work.load_evaluations;

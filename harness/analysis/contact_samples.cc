@@ -1,0 +1,68 @@
+// What the number of samples does that carry a modal contact.
+#include <algorithm>
+
+#include "harness/analysis/contact_tables.h"
+
+namespace mb {
+
+namespace {
+
+const double finest[] = {2, 1, 0.5, 0.25};  // [-] of the contact's radius, the last one taken as exact
+
+Finding samples_table() {
+  return table("contact", "contact-samples", "What the number of samples does",
+               "The first contact with samples twice, once, half and a quarter of the contact's radius in size where "
+               "the bodies touch first, growing with the distance; contenders use a half. Changes are against the "
+               "finest, the most modes and the least step of the study in all.",
+               {{"method", ""},
+                {"modes r", ""},
+                {"size / a", "-"},
+                {"samples", ""},
+                {"duration", "s"},
+                {"peak force", "N"},
+                {"impulse", "N s"},
+                {"change of duration", "-"},
+                {"change of peak force", "-"},
+                {"change of impulse", "-"},
+                {"peak force against truth", "-"},
+                {"impulse against truth", "-"}});
+}
+
+Index n_samples(const FloatingBases& bases) {
+  Index n = 0;
+  for (const FloatingBasis& basis : bases)
+    for (const SampledContact& contact : basis.body.contacts) n += contact.samples.w.size();
+  return n;
+}
+
+}  // namespace
+
+Finding contact_samples(const ContactVariants& variants, const AnalysisContext& context) {
+  Finding found = samples_table();
+  const auto sampled = [](const ContactPair& pair) { return pair.law == ContactLaw::penalty; };
+  if (!std::ranges::any_of(context.scene->contacts, sampled)) return found;
+  const Trajectory& truth = context.truth.finer;
+  const Impact real = impact_of(truth, truth);
+  for (ContactContender of : variants.contenders()) {
+    if (of.modes < 0) continue;
+    std::vector<Impact> impacts;
+    std::vector<Index> counts;
+    for (const double size : finest) {
+      of.finest_sample = size;
+      impacts.push_back(impact_of(variants.simulate(*context.scene, of), truth));
+      counts.push_back(n_samples(*variants.bases(*context.scene, of)));
+    }
+    const Impact& best = impacts.back();
+    const auto change = [](double a, double b) { return FindingCell(a / b - 1); };
+    for (size_t i = 0; i < impacts.size(); ++i) {
+      const Impact& now = impacts[i];
+      found.rows.push_back({of.method, count(of.modes), finest[i], count(counts[i]), now.duration, now.peak,
+                            now.impulse, change(now.duration, best.duration), change(now.peak, best.peak),
+                            change(now.impulse, best.impulse), change(now.peak, real.peak),
+                            change(now.impulse, real.impulse)});
+    }
+  }
+  return found;
+}
+
+}  // namespace mb
