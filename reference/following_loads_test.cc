@@ -14,7 +14,7 @@ namespace {
 using testing::FreeBody;
 const Shape bar = Box{{0.4, 0.1, 0.06}};
 const Material stiff{1e9, 0.3, 1000};
-constexpr double force = 60, T = 0.8;  // [N], [s]: half a turn and more
+constexpr double force = 2, T = 0.8;  // [N], [s]: half a turn and more
 
 // A thruster along y at one end, switched on at t = 0.
 struct Thrust {
@@ -91,12 +91,12 @@ TEST(FollowingLoads, AreNotDeadOnes) {
 
 // Average acceleration, of order two, with the load turned in its own stage.
 TEST(FollowingLoads, KeepTheOrderOfSteps) {
-  const Thrust thrust(true, 1e7);
-  const System& system = thrust.model->system();
+  System system = Thrust(true, 1e7).model->system();
+  system.s = {Pulse{0.3, 20}};  // smooth, a turn
   const VectorXd end = VectorXd::Constant(1, 0.3);
   const VectorXd exact = sundials(system, 1e-9, 0.3)->run(end).u.col(0);
   const auto error = [&](double h) { return (newmark(system, h)->run(end).u.col(0) - exact).norm(); };
-  EXPECT_NEAR(std::log2(error(2e-3) / error(1e-3)), 2, 0.25);
+  EXPECT_NEAR(std::log2(error(2.5e-4) / error(1.25e-4)), 2, 0.25);  // longer steps make waves grow
 }
 
 TEST(FollowingLoads, AreRefusedWhereTheirNumberIsWrong) {

@@ -16,13 +16,13 @@ namespace {
 
 constexpr double T = 0.4;  // [s]
 
-// Pushed at one end by a load that turns with it, at the other by one that does not: a turn, and a strain of `size` 1e-3.
+// Pushed at one end by a load that turns with it, at the other by one that does not; strains grow with `size`.
 std::shared_ptr<const Scene> pushed(double size) {
-  Scene scene = testing::finite_body(Box{{0.4, 0.1, 0.06}}, {1e6 / size, 0.3, 1000}, {2, {2, 1, 1}}, {0, 1e-4});
-  testing::load(scene, "x-max", {0, 2e4, 0});
+  Scene scene = testing::finite_body(Box{{0.4, 0.1, 0.06}}, {5e4 / size, 0.3, 1000}, {1, {3, 1, 1}}, {0, 1e-3});
+  testing::load(scene, "x-max", {0, 1e3, 0});
   scene.loads[0].history = Pulse{0.3};
   scene.loads[0].follows = true;
-  scene.loads.push_back({"dead", Pulse{0.2, 1, 0.1}, {{"body", testing::face("x-min"), {3e3, 0, 5e3}, 0}}});
+  scene.loads.push_back({"dead", Pulse{0.2, 1, 0.1}, {{"body", testing::face("x-min"), {150, 0, 250}, 0}}});
   scene.duration = T;
   return std::make_shared<const Scene>(scene);
 }
@@ -58,8 +58,8 @@ TEST(TurningBodies, WithAllModesMoveAsInFullOrder) {
     return difference(answer.bodies[0].displacement, full.bodies[0].displacement);
   };
   const double strong = off(0.3, RotationCoupling::coupled), weak = off(0.1, RotationCoupling::coupled);
-  EXPECT_LT(weak, 2e-3);
-  EXPECT_LT(weak, strong / 2);
+  EXPECT_LT(strong, 4e-4);  // 2.0e-4 was seen, 2.1e-5 of a third of the strain, 3.6e-3 without coupling
+  EXPECT_LT(weak, strong / 4);
   EXPECT_GT(off(0.3, RotationCoupling::rigid), 2 * strong);
 }
 
