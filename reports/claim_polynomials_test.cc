@@ -34,7 +34,7 @@ ReportInput of_shapes(const std::vector<OfShape>& all) {
     };
     add("displacement-error", one.error);
     if (!one.peak_force) continue;
-    scene.contacts.push_back({.body = scene.bodies[0].name, .obstacle = "floor"});
+    scene.contacts.push_back({.body = scene.bodies[0].name, .obstacle = "floor", .stiffness = 1e9});
     add("peak-force", *one.peak_force);
   }
   return input;

@@ -53,8 +53,8 @@
 //   flight-cost-exponents     cost | grows with | runs fitted | exponent | standard error | expected
 //   instructions              claim | contender | modes r | dt | steps | share counted | instructions | a step |
 //                             MIPS for real time | time | real-time factor | verdict
-//   slenderness               claim | load | length/width | degree | functions | displacement error | strain error |
-//                             bar | frequency ratio | verdict
+//   slenderness               claim | load | length/width | degree | functions | displacement error | static error |
+//                             strain error | bar | frequency ratio | verdict
 #pragma once
 
 #include "harness/analysis/analysis.h"

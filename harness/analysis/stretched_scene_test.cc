@@ -72,7 +72,7 @@ struct Key {
   auto operator<=>(const Key&) const = default;
 };
 struct Found {
-  double error, bar, frequency;
+  double error, at_rest, bar, frequency;
 };
 
 std::map<Key, Found> found() {
@@ -83,7 +83,7 @@ std::map<Key, Found> found() {
   std::map<Key, Found> all;
   for (const auto& row : polynomials_over_slenderness(context).at(0).rows) {
     const auto number = [&](size_t j) { return std::get<double>(row[j]); };
-    all[{std::get<std::string>(row[1]), number(2), number(3)}] = {number(5), number(7), number(8)};
+    all[{std::get<std::string>(row[1]), number(2), number(3)}] = {number(5), number(6), number(8), number(9)};
   }
   return all;
 }
@@ -98,15 +98,19 @@ TEST(Slenderness, PolynomialsDoWhatTheoryOfBarsSays) {
       EXPECT_LT(of(load, 2).bar, 1e-2) << ratio;
     }
     EXPECT_NEAR(of("bend", 1).error, 1, 1e-6) << ratio;  // both ends to one side: no linear field takes work of it
-    EXPECT_LT(of("bend", 2).error, 0.9) << ratio;
+    EXPECT_NEAR(of("bend", 1).at_rest, 1, 1e-6) << ratio;
+    EXPECT_LT(of("bend", 2).at_rest, 0.6) << ratio;
     // Best in the span, from above, and more of them are no worse.
     EXPECT_GE(of("bend", 3).frequency, 1 - 1e-9) << ratio;
     EXPECT_GE(of("bend", 2).frequency, of("bend", 3).frequency - 1e-9) << ratio;
     // A slow pull is uniform strain: all but the section's own inertia, and the ends.
     if (ratio >= 10) {
-      EXPECT_LT(of("pull", 1).error, 0.02) << ratio;
+      EXPECT_LT(of("pull", 1).error, 0.1) << ratio;
     }
   }
+  // Its static deflection w'' ~ 1 - x^2 (forces at both ends against its inertia) leaves the parabola 0.2274 of itself:
+  // w = x^2/4 - x^4/24 against x^2/6, less their means, x in half lengths.
+  EXPECT_NEAR(all.at({"bend", 50, 2}).at_rest, 0.2274, 1e-3);  // shear, likewise
   // Of a thin free bar the parabola has omega^2 = 720 EI/(rho A l^4), the first mode 4.7300^4 = 500.56 of it.
   EXPECT_NEAR(all.at({"bend", 50, 2}).frequency, std::sqrt(720 / 500.564), 2e-3);  // shear, 1e-3 at this length
 }

@@ -240,7 +240,7 @@ TEST(ContactMetrics, TwoFreeBodiesKeepTheirSums) {
   s.scene.gravity.setZero();
   s.scene.bodies.push_back(s.scene.bodies[0]);
   s.scene.bodies[1].name = "other";
-  s.scene.contacts = {{.body = "body", .obstacle = "other"}};
+  s.scene.contacts = {{.body = "body", .obstacle = "other", .stiffness = 1e9}};
   Trajectory a = answer(s);
   a.bodies[0].momentum = MatrixXd::Zero(6, 5);
   a.bodies[0].momentum.topRows(3) = contact(a).impulse;
