@@ -99,7 +99,8 @@ TEST(ContactContent, SizesMustAgreeWithTheTimes) {
 TEST(ContactContent, DamagedContentIsRefused) {
   const Matrices whole = contact_content("body0", example(), n_t);
   for (const auto& [key, matrix] : whole) {
-    const bool first = key == "body0_contact_force", choice = key == "body0_energy" || key == "body0_touch_times";
+    const bool first = key == "body0_contact_force",
+               choice = key == "body0_energy" || key == "body0_momentum" || key == "body0_touch_times";
     Matrices damaged = whole;
     if (!first && !choice) {  // those say that there is a contact, energies or touches
       damaged.erase(key);
