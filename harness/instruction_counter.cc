@@ -46,7 +46,9 @@ class ScratchFolder {
   fs::path path_;
 };
 
-// Never returns. 127: not found, as a shell has it.
+constexpr int no_valgrind = 125;  // itself it says 127 of a program that is not there
+
+// Never returns.
 [[noreturn]] void become(const std::vector<std::string>& words) {
   const int nowhere = ::open("/dev/null", O_RDWR);
   for (const int stream : {0, 1, 2}) ::dup2(nowhere, stream);
@@ -54,7 +56,7 @@ class ScratchFolder {
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   ::execvp(argv[0], argv.data());
-  ::_exit(127);
+  ::_exit(no_valgrind);
 }
 
 // Exit code of a child, or 128 and its signal; it is ended after so many seconds.
@@ -70,7 +72,7 @@ int ended(pid_t child, double at_most) {
 
 std::string reason(int code, double at_most) {
   switch (code) {
-    case 127:
+    case no_valgrind:
       return "valgrind is not installed";
     case 128 + SIGILL:
       return "valgrind does not know an instruction of this build (AVX-512)";

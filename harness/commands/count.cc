@@ -21,8 +21,8 @@ int count_command(const CountOptions& options, const Catalogue& catalogue, const
     return 0;
   }
   const std::vector<CountedContender> contenders = counted_contenders(*scene);
-  const InstructionCounts counts =
-      count_instructions("/proc/self/exe", {"count", file.string(), "--profile", options.profile}, at_most);
+  const InstructionCounts counts = count_instructions(std::filesystem::read_symlink("/proc/self/exe"),
+                                                      {"count", file.string(), "--profile", options.profile}, at_most);
   if (!counts.missing.empty()) throw std::runtime_error(counts.missing);
   fmt::print(console.out, "{:<20}  {:>16}  {:>14}\n", "contender", "instructions", "simulated [s]");
   for (const CountedContender& contender : contenders)
