@@ -103,9 +103,9 @@ InstructionCounts count_instructions(const fs::path& program, const std::vector<
   const pid_t child = ::fork();
   if (child < 0) return {{}, "no process can be made"};
   if (child == 0) become(line);
-  if (const int code = ended(child, at_most); code != 0) return {{}, reason(code, at_most)};
-  InstructionCounts counts{read_dumps(scratch.path()), ""};
-  if (counts.by_name.empty()) counts.missing = "the program was built without valgrind's headers";
+  const int code = ended(child, at_most);
+  InstructionCounts counts{read_dumps(scratch.path()), code == 0 ? "" : reason(code, at_most)};
+  if (code == 0 && counts.by_name.empty()) counts.missing = "the program was built without valgrind's headers";
   return counts;
 }
 

@@ -17,7 +17,7 @@ bool is_counting();  // whether this process runs under callgrind
 // Runs work, counted under that name, which is dumped at once; without callgrind it just runs.
 void counted(const std::string& name, const std::function<void()>& work);
 
-// Instructions by name. missing: why there are none, "" where there are.
+// Instructions by name, as far as it came. missing: why some or all are, "" where none is.
 struct InstructionCounts {
   std::map<std::string, double> by_name;
   std::string missing;

@@ -13,7 +13,7 @@ namespace mb {
 namespace {
 
 constexpr int wanted_modes = 32;
-constexpr double counted_share = 0.25;  // [-] of the time after the first touch, of full order
+constexpr double counted_share = 0.05;  // [-] of the time after the first touch, of full order
 
 int nearest_count(const std::vector<int>& counts) {
   if (counts.empty()) return wanted_modes;

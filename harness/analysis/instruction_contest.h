@@ -19,7 +19,7 @@ struct CountedContender {
 
 // Rigid bodies; linear, and linear and quadratic modes; static-correction with 32 modes or the nearest count of the
 // study: all with its largest step in contact. Full order by newmark with the largest step of its rivals, up to a
-// quarter of what is left after the first touch. Throws std::invalid_argument for a scene without contact.
+// twentieth of what is left after the first touch. Throws std::invalid_argument for a scene without contact.
 std::vector<CountedContender> counted_contenders(const Scene& scene);
 
 VectorXd counted_times(const Scene& scene, const CountedContender& contender);  // [s] frames, and the end
