@@ -23,11 +23,11 @@ int count_command(const CountOptions& options, const Catalogue& catalogue, const
   const std::vector<CountedContender> contenders = counted_contenders(*scene);
   const InstructionCounts counts = count_instructions(std::filesystem::read_symlink("/proc/self/exe"),
                                                       {"count", file.string(), "--profile", options.profile}, at_most);
-  if (!counts.missing.empty()) throw std::runtime_error(counts.missing);
   fmt::print(console.out, "{:<20}  {:>16}  {:>14}\n", "contender", "instructions", "simulated [s]");
   for (const CountedContender& contender : contenders)
     if (const auto count = counts.by_name.find(contender.name); count != counts.by_name.end())
       fmt::print(console.out, "{:<20}  {:>16.0f}  {:>14.6g}\n", contender.name, count->second, contender.until);
+  if (!counts.missing.empty()) throw std::runtime_error(counts.missing);
   return 0;
 }
 
