@@ -51,6 +51,7 @@ const std::vector<Door> doors = {
     {"CGAL", "CGAL/", "modal/polygons/tree.cc"},
     {"CLI11", "CLI/|CLI11", "harness/command_line.cc"},
     {"HDF5", "hdf5|H5", "harness/store/hdf5.cc"},
+    {"valgrind", "valgrind/", "harness/instruction_counter.cc"},
     {"xxHash", "xxh", "harness/store/hash.cc"},
     {"SLEPc", "slepc|petsc", "benchmarks/slepc.cc"},
     {"clock", "chrono$|sys/time\\.h|sys/times\\.h", "harness/measure.cc"},

@@ -76,6 +76,15 @@ void add_modes(CLI::App& app, const Catalogue& catalogue, Action& action) {
       [&, options] { action = [&, options](const Console& c) { return modes_command(*options, catalogue, c); }; });
 }
 
+void add_count(CLI::App& app, const Catalogue& catalogue, Action& action) {
+  auto options = std::make_shared<CountOptions>();
+  CLI::App* command = app.add_subcommand("count", "instructions that a case with contact takes, by valgrind");
+  command->add_option("case", options->case_name, "case name or file")->required();
+  add_profile(*command, options->profile);
+  command->callback(
+      [&, options] { action = [&, options](const Console& c) { return count_command(*options, catalogue, c); }; });
+}
+
 void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
   auto options = std::make_shared<RunCommandOptions>();
   CLI::App* command = app.add_subcommand("run", "run cases, keep their results, check them");
@@ -192,6 +201,7 @@ int harness_main(int argc, char** argv, const Catalogue& catalogue) {
   add_list(app, catalogue, action);
   add_check(app, catalogue, action);
   add_modes(app, catalogue, action);
+  add_count(app, catalogue, action);
   add_run(app, catalogue, action);
   add_report(app, catalogue, action);
   add_new(app, catalogue, action);

@@ -167,6 +167,13 @@ class PreparedImpact final : public Prepared {
 
   MatrixXd part(const MatrixXd& all, size_t i) const { return all.middleRows(first_[i], members_[i].n()); }
 
+  // v of all members' states, zeros before the joint start and where they are not to be used.
+  MatrixXd velocities(size_t i, const States& states, Index n_before, Index n_t) const {
+    MatrixXd v = MatrixXd::Zero(members_[i].n(), n_t);
+    if (stepper_) v.middleCols(n_before, states.v.cols()) = part(states.v, i);
+    return v;
+  }
+
   BodyTrajectory body(size_t i, const Sampling& sampling, const States& before, const States& states,
                       const ContactHistory& contact, VectorXd& left) const {
     const ImpactMember& member = members_[i];
@@ -180,6 +187,7 @@ class PreparedImpact final : public Prepared {
     answer.displacement = member.displacement(u, sampling.t);
     if (!sampling.strain) return answer;
     answer.strain = member.strain(u);
+    if (member.free()) answer.momentum = member.momentum(u, velocities(i, states, n_before, n_t), sampling.t);
     answer.energy = VectorXd::Constant(n_t, member.energy_at_start());
     if (!member.free()) answer.energy.head(n_before) = member.energy(before.u, before.v);
     if (stepper_) answer.energy.segment(n_before, n_valid) = energy(i, states, answer.contact, n_before, left);

@@ -107,6 +107,25 @@ double ImpactMember::energy_at_start() const {
   return free_ ? kinetic_energy(system_, rigid_velocity(0)) : kinetic_energy(system_, full_->system().v0);
 }
 
+// P = sum (M v)_i,  L = sum x_i x (M v)_i over the nodes: shapes sum to one, and carry rotations as they carry places.
+MatrixXd ImpactMember::momentum(const MatrixXd& u, const MatrixXd& v, const VectorXd& t) const {
+  const Matrix3Xd X = full_->places().reshaped(3, n() / 3);
+  const Eigen::Matrix3d Q = body_->pose.orientation.toRotationMatrix();
+  MatrixXd all(6, t.size());
+  for (Index k = 0; k < t.size(); ++k) {
+    const bool flies = t[k] <= start_;
+    const Matrix3Xd p = VectorXd(system_.M * (flies ? rigid_velocity(t[k]) : VectorXd(v.col(k)))).reshaped(3, X.cols());
+    const Matrix3Xd x = X + u.col(k).reshaped(3, X.cols());
+    const Vector3d P = Q * p.rowwise().sum(), at = body_->pose.to_world(flown(std::min(t[k], start_)));
+    Vector3d spin = Vector3d::Zero();
+    for (Index i = 0; i < x.cols(); ++i) spin += Vector3d(x.col(i)).cross(Vector3d(p.col(i)));
+    all.col(k) << P, Q * spin + at.cross(P);
+  }
+  const Matrix3Xd of_unit = VectorXd(system_.M * full_->translation(gravity_)).reshaped(3, X.cols());
+  all.topRows(3) -= Q * of_unit.rowwise().sum() * t.transpose();
+  return all;
+}
+
 SparseMatrix ImpactMember::in_world(const SparseMatrix& U, Index first, Index n_all) const {
   const Eigen::Matrix3d Q = body_->pose.orientation.toRotationMatrix();
   std::vector<Eigen::Triplet<double>> entries;

@@ -47,6 +47,8 @@ class ImpactMember {
   // [J] kinetic, strain and the weight's since t = 0, of states at the joint start or later.
   VectorXd energy(const MatrixXd& u, const MatrixXd& v) const;
   double energy_at_start() const;  // [J] kinetic, of the body as the scene states it
+  // 6 x n_t of a free body, as BodyTrajectory has it; before the joint start that of rigid flight, whatever v there.
+  MatrixXd momentum(const MatrixXd& u, const MatrixXd& v, const VectorXd& t) const;
 
   // Where it may touch, in the world as at the joint start, with columns from `first` on of n_all.
   ContactPoints contact_points(const RigidSurface& met, double reach, Index first, Index n_all) const;

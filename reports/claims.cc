@@ -43,6 +43,13 @@ void rule_on(Claim& claim, const Evaluation& evaluation) {
     claim.criterion = "verdicts of the aliasing tables, a frame rate each; number: aliasing of modes cut at F/2";
     conclude(claim, rows_of(evaluation, claim.id, "aliasing-claim", "frame rate", "aliasing cut modal"));
   }
+  if (claim.id == "C14") {
+    claim.evidence = "instructions";
+    claim.criterion =
+        "million instructions a simulated second of rigid, linear and quadratic modes, stepping and displacements at "
+        "frames: claimed about 1, at most 2 holds";
+    conclude(claim, rows_of(evaluation, claim.id, "instructions", "contender", "MIPS for real time"));
+  }
   if (claim.id == "C7") {
     claim.evidence = "mode-amplitudes";
     claim.criterion = "exponent of displacement over frequency for fixed energy; claimed 2, theory 1";

@@ -25,7 +25,9 @@ constexpr Section sections[] = {{"budget", "Error budget", true},
                                 {"contact-stiffness", "Contact stiffness", false},
                                 {"flight-cost", "Cost of flight and of contact", false},
                                 {"frequencies", "Natural frequencies", false},
-                                {"probe-extremes", "Extremes at the probes", false}};
+                                {"probe-extremes", "Extremes at the probes", false},
+                                {"instructions", "Instructions", false},
+                                {"slenderness", "Polynomial modes over slenderness", false}};
 
 std::ptrdiff_t place(const std::string& analysis) {
   return std::find_if(std::begin(sections), std::end(sections),

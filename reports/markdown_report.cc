@@ -7,6 +7,7 @@
 #include "reports/matrix.h"
 #include "reports/number.h"
 #include "reports/orders.h"
+#include "reports/polynomial_modes.h"
 #include "reports/render.h"
 #include "reports/speedup.h"
 #include "reports/verdict.h"
@@ -94,6 +95,7 @@ std::string markdown_report(const Evaluation& evaluation) {
   text += section(phases_table(evaluation, front), "What the times are made of",
                   "No reduced run has both an error and a time.");
   text += findings_sections(evaluation, false);
+  if (const Sheet table = polynomials_table(evaluation); !table.rows.empty()) text += section(table, table.title, "");
   text += section(claims_table(evaluation), "The paper's claims", "");
   text += section(probes_table(evaluation), "Probe signals", "No probe is recorded.");
   if (const Sheet failures = failures_table(evaluation); !failures.rows.empty()) {

@@ -12,6 +12,7 @@
 #include "reports/matrix.h"
 #include "reports/number.h"
 #include "reports/orders.h"
+#include "reports/polynomial_modes.h"
 #include "reports/speedup.h"
 #include "reports/verdict.h"
 
@@ -207,7 +208,7 @@ Json page_json(const Evaluation& evaluation) {
   const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
   for (const Sheet& table : {headline_table(evaluation), contenders_table(evaluation), matrix_table(evaluation),
                              orders_table(curves(evaluation)), speed_up_table(evaluation, front),
-                             phases_table(evaluation, front), claims_table(evaluation), checks_table(evaluation),
+                             phases_table(evaluation, front), polynomials_table(evaluation), claims_table(evaluation), checks_table(evaluation),
                              probes_table(evaluation), failures_table(evaluation), environment_table(evaluation)}) {
     tables[table.name] = table_json(table);
   }

@@ -8,6 +8,7 @@
 #include "reports/matrix.h"
 #include "reports/orders.h"
 #include "reports/page.h"
+#include "reports/polynomial_modes.h"
 #include "reports/publish.h"
 #include "reports/render.h"
 #include "reports/speedup.h"
@@ -20,7 +21,7 @@ std::vector<Sheet> all_tables(const Evaluation& evaluation) {
   const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
   return {headline_table(evaluation),        checks_table(evaluation),        matrix_table(evaluation),
           reduced_table(evaluation),         rivals_table(evaluation),        orders_table(curves(evaluation)),
-          speed_up_table(evaluation, front), phases_table(evaluation, front), claims_table(evaluation),
+          speed_up_table(evaluation, front), phases_table(evaluation, front), polynomials_table(evaluation), claims_table(evaluation),
           probes_table(evaluation),          failures_table(evaluation),      environment_table(evaluation)};
 }
 

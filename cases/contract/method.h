@@ -42,6 +42,8 @@ struct BodyTrajectory {
   // frame to the world.
   ContactHistory contact = {};  // of all its obstacles together, world axes
   VectorXd energy = {};  // [J] kinetic, elastic, of the weight since t = 0 and in contacts; n_t, or 0 where not wanted
+  // 6 x n_t, or 0 columns: of free bodies alone, whose supports take none. World axes, by the answer's own mass.
+  MatrixXd momentum = {};  // [kg m/s] linear, less the weight's since t = 0; [kg m^2/s] angular about the origin
 };
 struct Trajectory {
   VectorXd t;  // [s]

@@ -16,13 +16,14 @@ inline Vocabulary vocabulary() {
           {"exact", "newmark", "central-difference", "explicit-euler", "symplectic-euler", "sundials"},
           {"displacement-error", "strain-error", "surface-deviation", "pose-translation", "pose-rotation",
            "probe-error", "contact-duration", "peak-force", "impulse", "restitution", "first-touch", "energy-gain",
-           "momentum-defect", "force-error"},
+           "momentum-defect", "force-error", "momentum-drift"},
           {"linear", "quadratic", "full"},
           {"sundials"},
           {"budget", "step-limits", "aliasing", "frequency-response", "mode-amplitudes", "damping", "frequencies",
-           "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact", "flight-cost"},
-          {"budget", "aliasing", "frequency-response", "probe-extremes", "damping"},
-          {"contact-stiffness", "contact", "flight-cost"}};
+           "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact", "flight-cost",
+           "instructions", "slenderness"},
+          {"budget", "aliasing", "frequency-response", "probe-extremes", "damping", "slenderness"},
+          {"contact-stiffness", "contact", "flight-cost", "instructions"}};
 }
 
 inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }

@@ -54,6 +54,10 @@
 //   flight-cost               varied | method | modes r | flight time | contact time | dt | steps |
 //                             contact evaluations | time | spread | time a step | real-time factor
 //   flight-cost-exponents     cost | grows with | runs fitted | exponent | standard error | expected
+//   instructions              claim | contender | modes r | dt | steps | share counted | instructions | a step |
+//                             MIPS for real time | time | real-time factor | verdict
+//   slenderness               claim | load | length/width | degree | functions | displacement error | static error |
+//                             strain error | bar | frequency ratio | verdict
 #pragma once
 
 #include "harness/analysis/analysis.h"
@@ -73,5 +77,7 @@ std::vector<Finding> contact_forces(const AnalysisContext& context);
 std::vector<Finding> contact_stiffness(const AnalysisContext& context);
 std::vector<Finding> contact(const AnalysisContext& context);
 std::vector<Finding> flight_cost(const AnalysisContext& context);
+std::vector<Finding> instructions(const AnalysisContext& context);
+std::vector<Finding> polynomials_over_slenderness(const AnalysisContext& context);
 
 }  // namespace mb

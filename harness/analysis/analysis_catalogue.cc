@@ -30,7 +30,11 @@ const std::vector<Analysis>& analysis_catalogue() {
        touching},
       {"contact", "its layer, the polynomials and samples that carry it, its force over time, where the time goes",
        &contact, touching},
-      {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching}};
+      {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching},
+      {"instructions", "instructions a simulated second, by valgrind, beside the time they take", &instructions,
+       touching},
+      {"slenderness", "errors of polynomial modes by degree on bodies from compact to slender",
+       &polynomials_over_slenderness, loaded}};
   return all;
 }
 

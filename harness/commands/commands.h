@@ -28,6 +28,9 @@ struct ModesOptions {
   int count = 30;
   bool json = false;
 };
+struct CountOptions {
+  std::string case_name, profile = "quick";
+};
 struct RunCommandOptions {
   std::vector<std::string> cases;  // names or files; empty: every case of the catalogue
   std::string profile = "quick", store = "results";
@@ -45,6 +48,8 @@ struct ReportOptions {
 
 int check_command(const CheckOptions&, const Catalogue&, const Console&);
 int modes_command(const ModesOptions&, const Catalogue&, const Console&);
+// Instructions of the contest of harness/analysis/instruction_contest.h, by valgrind, which it starts.
+int count_command(const CountOptions&, const Catalogue&, const Console&);
 int run_command(const RunCommandOptions&, const Catalogue&, const Console&);
 int report_command(const ReportOptions&, const Catalogue&, const Console&);
 

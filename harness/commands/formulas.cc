@@ -72,6 +72,16 @@ const std::map<std::string, FormulaAndSource>& analyses() {
         "grid convergence index",
         ours}},
       {"probe-extremes", {"max_t s, min_t s by the parabola through three samples, beside the static s", ours}},
+      {"instructions",
+       {"instructions of stepping and displacements at frames / (1e6 simulated time), by callgrind: the MIPS it takes "
+        "for "
+        "real time",
+        "Pentland and Williams 1989, Good Vibrations, whose machine had one; harness/instruction_counter.h"}},
+      {"slenderness",
+       {"|u_d - u| / |u| in the M norm, u_d: Ritz modes in polynomials of degree d, u: 96 modes and the static rest, "
+        "at "
+        "length/width 1 to 50 with the section kept and times as many periods of the lowest mode",
+        "Pentland and Williams 1989, Good Vibrations, sect. 3.1.1"}},
       {"collision-cost",
        {"cost ~ m^p of m points against n = m polygons (brute force, tree of boxes) or one analytic shape",
         "Pentland and Williams 1989, Good Vibrations, sect. 4.1; harness/analysis/collision_contest.h"}},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/metrics/momentum_audit.h"
 #include "harness/metrics/pose.h"
 #include "harness/metrics/signal.h"
 
@@ -253,7 +254,16 @@ std::vector<Metric> contact_metrics() {
       alone("momentum-defect",
             "How far the centroid is from where weight and contact impulses take it, by the way that the impulses "
             "make, by the shape's own mass: a mesh that lacks volume shows it; free bodies.",
-            &momentum_defect)};
+            &momentum_defect),
+      alone("momentum-drift",
+            "Largest difference of a free body's linear momentum and the impulses on it, while nothing presses, by the "
+            "largest impulse; of two bodies also of what one takes and the other gives, and where both are free of "
+            "their sum at every time. By the answer's own mass: what the scheme keeps, not what points see.",
+            &momentum_drift),
+      alone("angular-drift",
+            "Largest change of the angular momentum of all bodies about the origin, by the largest impulse times the "
+            "body's extent; scenes of free bodies without obstacles, gravity and loads.",
+            &angular_drift)};
 }
 
 }  // namespace mb

@@ -67,8 +67,9 @@ double value(const std::string& name, const Trajectory& a, const Trajectory& b, 
 }
 
 TEST(ContactMetrics, AreInTheCatalogueForContactAlone) {
-  const std::set<std::string> alone{"touches", "energy-gain", "energy-defect", "momentum-defect"};
-  ASSERT_EQ(contact_metrics().size(), 10u);
+  const std::set<std::string> alone{"touches",         "energy-gain",    "energy-defect",
+                                    "momentum-defect", "momentum-drift", "angular-drift"};
+  ASSERT_EQ(contact_metrics().size(), 12u);
   for (const Metric& of : contact_metrics()) {
     EXPECT_TRUE(of.contact_only);
     EXPECT_TRUE(metric(of.name).contact_only);

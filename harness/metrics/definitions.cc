@@ -81,6 +81,15 @@ const std::map<std::string, Origin>& origins() {
        {"|[c - v t - g t^2/2] - int J dt / m| / |int J dt / m|, [ ]: last time less the first, c: centroid, v: at t = "
         "0",
         "conservation of momentum"}},
+      {"momentum-drift",
+       {"max of |P(t) - P(0) - J(t)| while nothing presses, of two bodies |J_a + J_b|, of two free ones |sum P(t) - "
+        "sum "
+        "P(0)|, over max_t |J|; P: by the mesh's or the modes' own mass, less m g t; J: impulse of contacts since t = "
+        "0",
+        "conservation of momentum"}},
+      {"angular-drift",
+       {"max_t |L(t) - L(0)| / (l max_t |J|), L: sum over the bodies of int rho x x v dV about the origin, l: extent",
+        "conservation of angular momentum: linear kinematics keep it to O(|u|/l), finite ones to the tolerance"}},
   };
   return all;
 }

@@ -35,7 +35,8 @@ Matrices contact_content(const std::string& key, const BodyTrajectory& body, Ind
   const auto& [force, impulse, stored, dissipated, touches] = body.contact;
   if (force.cols() == 0 && touches.empty()) return {};
   if (force.cols() != n_t || impulse.cols() != n_t || stored.size() != n_t || dissipated.size() != n_t ||
-      (body.energy.size() != n_t && body.energy.size() != 0))
+      (body.energy.size() != n_t && body.energy.size() != 0) ||
+      (body.momentum.size() != 0 && (body.momentum.rows() != 6 || body.momentum.cols() != n_t)))
     throw std::invalid_argument("trajectory: sizes of its contacts do not agree with its times");
   MatrixXd energy(2, n_t);
   energy << stored.transpose(), dissipated.transpose();
@@ -43,6 +44,7 @@ Matrices contact_content(const std::string& key, const BodyTrajectory& body, Ind
                    {key + "_contact_impulse", {impulse, "N s"}},
                    {key + "_contact_energy", {energy, "J"}}};
   if (body.energy.size() > 0) content[key + "_energy"] = {body.energy.transpose(), "J"};
+  if (body.momentum.size() > 0) content[key + "_momentum"] = {body.momentum, "kg m/s, kg m^2/s"};
   const auto n = static_cast<Index>(touches.size());
   if (n == 0) return content;
   MatrixXd times(3, n), peaks(1, n), impulses(3, n);
@@ -66,6 +68,7 @@ void read_contact(const Matrices& content, const std::string& key, Index n_t, Bo
   body.contact.stored = energy.row(0);
   body.contact.dissipated = energy.row(1);
   if (content.contains(key + "_energy")) body.energy = sized(content, key + "_energy", 1, n_t).transpose();
+  if (content.contains(key + "_momentum")) body.momentum = sized(content, key + "_momentum", 6, n_t);
   const auto times = content.find(key + "_touch_times");
   if (times == content.end()) return;
   const Index n = times->second.values.cols();

@@ -1,5 +1,6 @@
 // A contact history within a trajectory file: bodyK_contact_force, _impulse [3, n_t], _energy [2, n_t] (stored, lost),
-// bodyK_energy [1, n_t], bodyK_touch_times [3, n] (start, end, peak), _touch_peaks [1, n], _touch_impulses [3, n].
+// bodyK_energy [1, n_t], bodyK_momentum [6, n_t] (linear, angular; not in files of older versions), bodyK_touch_times
+// [3, n] (start, end, peak), _touch_peaks [1, n], _touch_impulses [3, n].
 #pragma once
 
 #include <map>

@@ -25,6 +25,7 @@ BodyTrajectory example() {
                   VectorXd::Random(n_t),
                   {{0.1, 0.2, 30, 0.15, {1, 2, 3}}, {0.4, infinity, 50, 0.45, {-1, 0, 7}}}};
   body.energy = VectorXd::Random(n_t);
+  body.momentum = MatrixXd::Random(6, n_t);
   return body;
 }
 BodyTrajectory read(const Matrices& content, const std::string& key = "body0") {
@@ -38,6 +39,7 @@ void expect_same(const BodyTrajectory& a, const BodyTrajectory& b) {
   EXPECT_EQ(a.contact.stored, b.contact.stored);
   EXPECT_EQ(a.contact.dissipated, b.contact.dissipated);
   EXPECT_EQ(a.energy, b.energy);
+  EXPECT_EQ(a.momentum, b.momentum);
   ASSERT_EQ(a.contact.touches.size(), b.contact.touches.size());
   for (size_t i = 0; i < a.contact.touches.size(); ++i) {
     const Touch &x = a.contact.touches[i], &y = b.contact.touches[i];
@@ -68,6 +70,7 @@ TEST(ContactContent, WhatIsNotThereIsNotWritten) {
   BodyTrajectory body = example();
   body.contact.touches.clear();
   body.energy.resize(0);
+  body.momentum.resize(0, 0);
   const Matrices content = contact_content("body0", body, n_t);
   EXPECT_EQ(content.size(), 3u);
   expect_same(read(content), body);
@@ -78,6 +81,8 @@ TEST(ContactContent, WhatIsNotThereIsNotWritten) {
 TEST(ContactContent, SizesMustAgreeWithTheTimes) {
   for (const auto& change : std::vector<std::function<void(BodyTrajectory&)>>{
            [](BodyTrajectory& b) { b.contact.force.resize(3, n_t - 1); },
+           [](BodyTrajectory& b) { b.momentum.resize(6, n_t - 1); },
+           [](BodyTrajectory& b) { b.momentum.resize(3, n_t); },
            [](BodyTrajectory& b) { b.contact.impulse.resize(3, n_t + 1); },
            [](BodyTrajectory& b) { b.contact.stored.resize(0); },
            [](BodyTrajectory& b) { b.contact.dissipated.resize(n_t - 1); },
@@ -94,7 +99,8 @@ TEST(ContactContent, SizesMustAgreeWithTheTimes) {
 TEST(ContactContent, DamagedContentIsRefused) {
   const Matrices whole = contact_content("body0", example(), n_t);
   for (const auto& [key, matrix] : whole) {
-    const bool first = key == "body0_contact_force", choice = key == "body0_energy" || key == "body0_touch_times";
+    const bool first = key == "body0_contact_force",
+               choice = key == "body0_energy" || key == "body0_momentum" || key == "body0_touch_times";
     Matrices damaged = whole;
     if (!first && !choice) {  // those say that there is a contact, energies or touches
       damaged.erase(key);

@@ -35,6 +35,18 @@ void place(const FloatingBasis& basis, const BodyState& state, Eigen::Ref<Vector
     at = (Q * at.matrix()).eval();
 }
 
+// The frame's alone: deformation carries none.
+MatrixXd momentum(const FloatingBody& body, const ImpactMotion& motion, const VectorXd& t) {
+  MatrixXd all = MatrixXd::Zero(6, t.size());
+  for (size_t k = 0; k < motion.states.size(); ++k) {
+    const auto& [c, v, Q, L, q, p, s] = motion.states[k];
+    const auto column = static_cast<Index>(k);
+    const Vector3d P = body.mass * v;
+    all.col(column) << P - t[column] * body.mass * body.gravity, c.cross(P) + L;
+  }
+  return all;
+}
+
 BodyTrajectory observed(const FloatingBasis& basis, const ImpactMotion& motion, const Sampling& sampling) {
   const Index n_t = sampling.t.size(), r = basis.body.n_modes(), n_s = basis.body.n_static();
   BodyTrajectory body;
@@ -58,7 +70,9 @@ BodyTrajectory observed(const FloatingBasis& basis, const ImpactMotion& motion, 
   body.strain = basis.strain * q;
   if (n_s > 0) body.strain.noalias() += basis.static_strain * s;
   if (a.rows() > 0) body.strain.noalias() += basis.load_strain * a;
-  if (!loads) body.energy = motion.energy;
+  if (loads) return body;
+  body.energy = motion.energy;
+  if (basis.body.free) body.momentum = momentum(basis.body, motion, sampling.t);
   return body;
 }
 

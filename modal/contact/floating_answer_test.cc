@@ -141,6 +141,10 @@ TEST(FloatingAnswer, CentroidGoesWhereImpulsesTakeIt) {
     const Vector3d fallen = times[200] * times[200] / 2 * scene->gravity;
     const Vector3d moved = centre(model, answer, 200) - centre(model, answer, 0);
     EXPECT_LT((moved - fallen - pushed).norm(), 1e-2 * pushed.norm()) << static_contact;
+    // The frame's own momentum, less the weight's, is the impulse but for rounding, once the touch is over.
+    const Matrix3Xd P = answer.bodies[0].momentum.topRows(3);
+    ASSERT_EQ(P.cols(), 201);
+    EXPECT_LT((P.col(200) - P.col(0) - contact.impulse.col(200)).norm(), 1e-12 * contact.impulse(2, 200));
     const VectorXd& E = answer.bodies[0].energy;
     EXPECT_LT((E.array() - E[0]).abs().maxCoeff(), 5e-3 * m * g * drop) << static_contact;
   }

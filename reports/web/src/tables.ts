@@ -42,6 +42,7 @@ export function drawTables(report: Report, selectors: Selectors, state: State): 
     ...show(report, 'orders', null, { ...common, filter: true }),
     ...show(report, 'speed-up', 'No reduced run has both an error and a time.', { ...common, choose: ofNorm }),
     ...show(report, 'phases', null, { ...common, choose: ofNorm }),
+    ...show(report, 'polynomial-modes', null, {}),
     ...show(report, 'claims', null, { link: { column: 'evidence', follow } }),
     ...show(report, 'checks', 'No case states a check.', {}),
     ...show(report, 'probes', null, common),

@@ -1,0 +1,126 @@
+#include "harness/instruction_counter.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+#if __has_include(<valgrind/callgrind.h>)
+#include <valgrind/callgrind.h>
+#else  // built without valgrind: nothing is counted
+#define RUNNING_ON_VALGRIND 0
+#define CALLGRIND_START_INSTRUMENTATION
+#define CALLGRIND_STOP_INSTRUMENTATION
+#define CALLGRIND_ZERO_STATS
+#define CALLGRIND_DUMP_STATS_AT(name) static_cast<void>(name)
+#endif
+
+namespace mb {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "modalbench-count-XXXXXX").string();
+    if (!::mkdtemp(name.data()))
+      throw std::runtime_error("no folder can be made in " + fs::temp_directory_path().string());
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+constexpr int no_valgrind = 125;  // itself it says 127 of a program that is not there
+
+// Never returns.
+[[noreturn]] void become(const std::vector<std::string>& words) {
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  for (const int stream : {0, 1, 2}) ::dup2(nowhere, stream);
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  ::execvp(argv[0], argv.data());
+  ::_exit(no_valgrind);
+}
+
+// Exit code of a child, or 128 and its signal; it is ended after so many seconds.
+int ended(pid_t child, double at_most) {
+  constexpr double look = 0.05;  // [s]
+  int status = 0;
+  for (double waited = 0; ::waitpid(child, &status, WNOHANG) == 0; waited += look) {
+    if (waited > at_most) ::kill(child, SIGKILL);
+    ::usleep(static_cast<useconds_t>(1e6 * look));
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+std::string reason(int code, double at_most) {
+  switch (code) {
+    case no_valgrind:
+      return "valgrind is not installed";
+    case 128 + SIGILL:
+      return "valgrind does not know an instruction of this build (AVX-512)";
+    case 128 + SIGKILL:
+      return fmt::format("valgrind had not finished after {:g} s", at_most);
+    default:
+      return fmt::format("valgrind ended with code {}", code);
+  }
+}
+
+}  // namespace
+
+bool is_counting() { return RUNNING_ON_VALGRIND != 0; }
+
+void counted(const std::string& name, const std::function<void()>& work) {
+  CALLGRIND_START_INSTRUMENTATION;
+  CALLGRIND_ZERO_STATS;
+  work();
+  CALLGRIND_STOP_INSTRUMENTATION;
+  CALLGRIND_DUMP_STATS_AT(name.c_str());
+}
+
+InstructionCounts count_instructions(const fs::path& program, const std::vector<std::string>& words, double at_most) {
+  const ScratchFolder scratch;
+  std::vector<std::string> line{"valgrind", "--tool=callgrind", "--instr-atstart=no",
+                                "--callgrind-out-file=" + (scratch.path() / "out").string(), program.string()};
+  line.insert(line.end(), words.begin(), words.end());
+  const pid_t child = ::fork();
+  if (child < 0) return {{}, "no process can be made"};
+  if (child == 0) become(line);
+  const int code = ended(child, at_most);
+  InstructionCounts counts{read_dumps(scratch.path()), code == 0 ? "" : reason(code, at_most)};
+  if (code == 0 && counts.by_name.empty()) counts.missing = "the program was built without valgrind's headers";
+  return counts;
+}
+
+std::map<std::string, double> read_dumps(const fs::path& folder) {
+  static const std::string name_key = "desc: Trigger: Client Request: ", total_key = "totals: ";
+  std::map<std::string, double> all;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    std::ifstream file(entry.path());
+    std::string name;
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with(name_key)) name = line.substr(name_key.size());
+      if (line.starts_with(total_key) && !name.empty()) all[name] = std::stod(line.substr(total_key.size()));
+    }
+  }
+  return all;
+}
+
+}  // namespace mb

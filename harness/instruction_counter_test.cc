@@ -1,0 +1,41 @@
+#include "harness/instruction_counter.h"
+
+#include <gtest/gtest.h>
+
+#include "harness/program_test.h"
+#include "harness/store/scratch_folder_test.h"
+
+namespace mb {
+namespace {
+
+TEST(InstructionCounter, ReadsDumpsByTheirNames) {
+  const ScratchFolder scratch;
+  const auto dump = [&](const char* file, const std::string& trigger, const std::string& totals) {
+    written(scratch / file, "version: 1\npart: 1\n\ndesc: I1 cache: \ndesc: Trigger: " + trigger +
+                                "\n\nevents: Ir\nfn=(1)\n0 12\n" + totals + "\n");
+  };
+  dump("out.1", "Client Request: rigid", "totals: 1234567");
+  dump("out.2", "Client Request: full order", "totals: 98765432109");  // beyond 2^31
+  dump("out", "Program termination", "totals: 5");
+  const auto counts = read_dumps(scratch.path());
+  ASSERT_EQ(counts.size(), 2u);
+  EXPECT_EQ(counts.at("rigid"), 1234567);
+  EXPECT_EQ(counts.at("full order"), 98765432109.);
+}
+
+TEST(InstructionCounter, WhatIsNotUnderValgrindJustRuns) {
+  EXPECT_FALSE(is_counting());
+  int n = 0;
+  counted("once", [&] { ++n; });
+  EXPECT_EQ(n, 1);
+}
+
+// Whether valgrind is there or not: no program, no counts, and a reason.
+TEST(InstructionCounter, SaysWhyThereAreNone) {
+  const InstructionCounts none = count_instructions("/nonexistent/modalbench", {"count", "x"}, 20);
+  EXPECT_TRUE(none.by_name.empty());
+  EXPECT_NE(none.missing, "");
+}
+
+}  // namespace
+}  // namespace mb
