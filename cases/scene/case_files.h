@@ -21,7 +21,7 @@ inline Vocabulary vocabulary() {
           {"sundials"},
           {"budget", "step-limits", "aliasing", "frequency-response", "mode-amplitudes", "damping", "frequencies",
            "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact", "flight-cost"},
-          {"budget", "aliasing", "frequency-response", "probe-extremes", "damping"},
+          {"aliasing", "frequency-response", "probe-extremes", "damping"},
           {"contact-stiffness", "contact", "flight-cost"}};
 }
 

@@ -13,8 +13,8 @@
 //                             low-band error cut modal | frame error full order | frame error cut modal |
 //                             sub-samples needed | verdict
 //   aliasing-modes            frame rate | mode | frequency | apparent frequency | energy above F/2
-//   budget                    method | modes r | integrator | setting | part | M norm | K norm
-//   budget-cross-terms        method | modes r | integrator | setting | parts | M norm | K norm
+//   budget                    body | method | modes r | integrator | setting | part | M norm | K norm
+//   budget-cross-terms        body | method | modes r | integrator | setting | parts | M norm | K norm
 //   frequency-response        load | contender | modes r | frequency | amplitude | phase
 //   frequency-response-error  load | contender | modes r | error | largest deviation | at
 //   frequency-response-peaks  contender | load | modes r | frequency | amplitude

@@ -8,8 +8,10 @@ namespace mb {
 const std::vector<Analysis>& analysis_catalogue() {
   constexpr auto loaded = Analysis::Scenes::without_contact, touching = Analysis::Scenes::with_contact;
   static const std::vector<Analysis> all{
-      {"budget", "which part of an answer's error is due to the step, to truncation and to the mesh", &error_budget,
-       loaded},
+      {"budget",
+       "which part of an answer's error is due to the step, to truncation, to the mesh, to contact on its surface and to "
+       "finite strain",
+       &error_budget},
       {"step-limits", "largest stable steps of explicit schemes, by formula, by bisection and by runs", &step_limits},
       {"aliasing", "what frames make of motion too fast for them, and what it takes to avoid it", &temporal_aliasing,
        loaded},

@@ -4,26 +4,13 @@
 #include "cases/contract/touchdown.h"
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/contact_variants.h"
-#include "harness/metrics/contact_metrics.h"
+#include "harness/analysis/first_impact.h"
 
 namespace mb {
 
 namespace {
 
 const double factors[] = {0.5, 1, 2};
-
-// Of the first contact of one answer.
-struct Impact {
-  double start, duration, peak, impulse;  // [s], [s], [N], [N s]; NaN where it has none
-};
-Impact impact_of(const Trajectory& answer, const Trajectory& truth) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto contact = first_contact(answer.bodies.front().contact.touches, truth.bodies.front().contact.touches);
-  if (answer.status != Status::ok || !contact) return {nan, nan, nan, nan};
-  const Touch& touch = contact->whole;
-  const double duration = touch.end - touch.start;
-  return {touch.start, std::isfinite(duration) ? duration : nan, touch.peak_force, touch.impulse.norm()};
-}
 
 Finding stiffness_table() {
   return table("contact-stiffness", "contact-stiffness", "What the stiffness of the layer does",
@@ -55,12 +42,12 @@ std::vector<Finding> contact_stiffness(const AnalysisContext& context) {
   const Touchdown down = touchdown(scene, scene.bodies.front());
   const auto add = [&](const Meeting& meeting, const std::string& contender, const ContactContender& answer) {
     const Scene stated = variants.with_stiffness(meeting.contact, meeting.size.stiffness);
-    const Impact as_it_is = impact_of(variants.simulate(stated, answer), truth);
+    const FirstImpact as_it_is = first_impact(variants.simulate(stated, answer), truth);
     for (const double factor : factors) {
       const double k = factor * meeting.size.stiffness;
-      const Impact now = factor == 1
+      const FirstImpact now = factor == 1
                              ? as_it_is
-                             : impact_of(variants.simulate(variants.with_stiffness(meeting.contact, k), answer), truth);
+                             : first_impact(variants.simulate(variants.with_stiffness(meeting.contact, k), answer), truth);
       const auto change = [](double a, double b) { return FindingCell(a / b - 1); };
       const bool lumped = scene.contacts[meeting.contact].law == ContactLaw::hertz;
       found.rows.push_back({scene.contacts[meeting.contact].obstacle, contender,
