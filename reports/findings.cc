@@ -24,6 +24,7 @@ constexpr Section sections[] = {{"budget", "Error budget", true},
                                 {"contact", "Contact", false},
                                 {"contact-stiffness", "Contact stiffness", false},
                                 {"flight-cost", "Cost of flight and of contact", false},
+                                {"amplitude", "Where linear theory ends", false},
                                 {"frequencies", "Natural frequencies", false},
                                 {"probe-extremes", "Extremes at the probes", false}};
 

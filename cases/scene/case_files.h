@@ -20,9 +20,10 @@ inline Vocabulary vocabulary() {
           {"linear", "quadratic", "full"},
           {"sundials"},
           {"budget", "step-limits", "aliasing", "frequency-response", "mode-amplitudes", "damping", "frequencies",
-           "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact", "flight-cost"},
+           "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact", "flight-cost",
+           "amplitude"},
           {"aliasing", "frequency-response", "probe-extremes", "damping"},
-          {"contact-stiffness", "contact", "flight-cost"}};
+          {"contact-stiffness", "contact", "flight-cost", "amplitude"}};
 }
 
 inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }

@@ -39,7 +39,7 @@ Scene thrown(const Scene& scene, double factor) {
 }
 
 void require_finite_possible(const Body& body) {
-  if (body.theory != Theory::solid || is_orthotropic(body.material) || !body.damping_ratios.empty())
+  if (body.theory != Theory::solid || body.material.orthotropy || !body.damping_ratios.empty())
     throw std::invalid_argument("finite strain is of isotropic solids with Rayleigh damping");
 }
 
@@ -59,8 +59,16 @@ class Sweep {
 
   AmplitudeRow at(double factor) const {
     const Scene scene = thrown(scene_, factor);
-    AmplitudeRow row{first_meeting(touchdown(scene, scene.bodies.front())).size.speed, factor, "", nan, nan, nan, nan,
-                     nan, {nan, nan, nan, nan}, {nan, nan, nan, nan}};
+    AmplitudeRow row{first_meeting(touchdown(scene, scene.bodies.front())).size.speed,
+                     factor,
+                     "",
+                     nan,
+                     nan,
+                     nan,
+                     nan,
+                     nan,
+                     {nan, nan, nan, nan},
+                     {nan, nan, nan, nan}};
     const auto linear = tried("linear", row, [&] { return full(linear_, linearised(scene)); });
     const auto finite = tried("finite", row, [&] { return full(finite_, with_first_finite(scene)); });
     const auto modal = tried("modal", row, [&] { return reduced(linearised(scene)); });
@@ -84,9 +92,7 @@ class Sweep {
   }
 
  private:
-  Model model(const Scene& scene) const {
-    return make_model(std::make_shared<const Scene>(scene), own_meshes(scene_));
-  }
+  Model model(const Scene& scene) const { return make_model(std::make_shared<const Scene>(scene), own_meshes(scene_)); }
   static Model with_scene(const Model& of, const Scene& scene) {
     return {std::make_shared<const Scene>(scene), of.bodies};
   }

@@ -1,5 +1,5 @@
 // The analyses themselves, as analysis_catalogue() lists them. All look at the scene's first body, on the mesh of its
-// modal contenders; collision-cost and contact-forces at its shape alone, held rigid. Names of their tables and of the
+// modal contenders, with contact `budget` at every body; collision-cost and contact-forces at its shape alone, held rigid. Names of their tables and of the
 // columns, which reports look up:
 //
 //   step-limits               system | modes r | scheme | integrator | omega max | zeta | formula | dt formula |
@@ -51,6 +51,11 @@
 //   flight-cost               varied | method | modes r | flight time | contact time | dt | steps |
 //                             contact evaluations | time | spread | time a step | real-time factor
 //   flight-cost-exponents     cost | grows with | runs fitted | exponent | standard error | expected
+//   amplitude                 speed | speed/scene's | status | largest strain | largest deformation |
+//                             error of linear | modal against linear | modal against finite | peak force |
+//                             linear/finite peak force | ... (impulse, duration likewise)
+//   amplitude-limits          error of linear | passed | speed | speed/scene's | largest strain | largest deformation
+//   amplitude-exponents       grows with | speeds fitted | exponent | standard error | expected
 #pragma once
 
 #include "harness/analysis/analysis.h"
@@ -70,5 +75,6 @@ std::vector<Finding> contact_forces(const AnalysisContext& context);
 std::vector<Finding> contact_stiffness(const AnalysisContext& context);
 std::vector<Finding> contact(const AnalysisContext& context);
 std::vector<Finding> flight_cost(const AnalysisContext& context);
+std::vector<Finding> amplitude(const AnalysisContext& context);
 
 }  // namespace mb

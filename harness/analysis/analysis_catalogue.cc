@@ -9,7 +9,8 @@ const std::vector<Analysis>& analysis_catalogue() {
   constexpr auto loaded = Analysis::Scenes::without_contact, touching = Analysis::Scenes::with_contact;
   static const std::vector<Analysis> all{
       {"budget",
-       "which part of an answer's error is due to the step, to truncation, to the mesh, to contact on its surface and to "
+       "which part of an answer's error is due to the step, to truncation, to the mesh, to contact on its surface and "
+       "to "
        "finite strain",
        &error_budget},
       {"step-limits", "largest stable steps of explicit schemes, by formula, by bisection and by runs", &step_limits},
@@ -32,7 +33,9 @@ const std::vector<Analysis>& analysis_catalogue() {
        touching},
       {"contact", "its layer, the polynomials and samples that carry it, its force over time, where the time goes",
        &contact, touching},
-      {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching}};
+      {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching},
+      {"amplitude", "the speed of an impact at which linear theory ends, by linear against finite kinematics",
+       &amplitude, touching}};
   return all;
 }
 

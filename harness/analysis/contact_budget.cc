@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "harness/analysis/budget_tables.h"
 #include "harness/analysis/contact_variants.h"
@@ -127,7 +128,7 @@ class ContactBudget {
 
 std::vector<Finding> contact_budget(const AnalysisContext& context) {
   ContactBudget budget(context);
-  for (const std::string& method : {"eigenmodes", "static-correction"}) {
+  for (const char* method : {"eigenmodes", "static-correction"}) {
     if (std::ranges::find(context.scene->study.methods, method) == context.scene->study.methods.end()) continue;
     for (const int r : few(mode_counts(context), n_mode_counts)) budget.add(method, r);
   }

@@ -45,9 +45,9 @@ std::vector<Finding> contact_stiffness(const AnalysisContext& context) {
     const FirstImpact as_it_is = first_impact(variants.simulate(stated, answer), truth);
     for (const double factor : factors) {
       const double k = factor * meeting.size.stiffness;
-      const FirstImpact now = factor == 1
-                             ? as_it_is
-                             : first_impact(variants.simulate(variants.with_stiffness(meeting.contact, k), answer), truth);
+      const FirstImpact now =
+          factor == 1 ? as_it_is
+                      : first_impact(variants.simulate(variants.with_stiffness(meeting.contact, k), answer), truth);
       const auto change = [](double a, double b) { return FindingCell(a / b - 1); };
       const bool lumped = scene.contacts[meeting.contact].law == ContactLaw::hertz;
       found.rows.push_back({scene.contacts[meeting.contact].obstacle, contender,

@@ -16,8 +16,8 @@ struct ContactContender {
 Scene linearised(const Scene& scene);  // of linear kinematics, every body
 
 // Without gravity, the first body thrown so that it meets what it meets in the scene after `flight` [s], at `factor`
-// times the velocity that it has there, and watched until `after` [s] past that. The layer stays the scene's own. Throws
-// std::invalid_argument for a first body that is held, spins or never meets, and where another one is free.
+// times the velocity that it has there, and watched until `after` [s] past that. The layer stays the scene's own.
+// Throws std::invalid_argument for a first body that is held, spins or never meets, and where another one is free.
 Scene thrown(const Scene& scene, double factor, double flight, double after);
 
 class ContactVariants {
