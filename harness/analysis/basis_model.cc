@@ -12,8 +12,10 @@ namespace mb {
 namespace {
 
 // In q of u = sqrt(m) Phi q.
-System in_metres(const System& full, const Modes& modes, double mass) {
+System in_metres(const System& full, const Basis& basis, double mass) {
+  const Modes& modes = basis.modes;
   System reduced = project(full, modes);
+  for (Index i = modes.size() - basis.n_shapes; i < modes.size(); ++i) reduced.M.coeffRef(i, i) = basis.mass_of_shapes;
   const double root = std::sqrt(mass);
   const Index n_elastic = modes.size() - modes.n_rigid;
   const VectorXd lambda = modes.omega.tail(n_elastic).array().square();
@@ -27,11 +29,11 @@ System in_metres(const System& full, const Modes& modes, double mass) {
 
 class BasisModel final : public FullModel {
  public:
-  BasisModel(std::shared_ptr<const FullModel> full, const Modes& modes, double mass)
+  BasisModel(std::shared_ptr<const FullModel> full, const Basis& basis, double mass)
       : full_(std::move(full)),
-        V_(std::sqrt(mass) * modes.Phi),
+        V_(std::sqrt(mass) * basis.modes.Phi),
         mass_(mass),
-        system_(in_metres(full_->system(), modes, mass)) {}
+        system_(in_metres(full_->system(), basis, mass)) {}
 
   const System& system() const override { return system_; }
   SparseMatrix displacement_at(const Matrix3Xd& points) const override { return seen(full_->displacement_at(points)); }
@@ -68,9 +70,10 @@ class BasisModel final : public FullModel {
 
 }  // namespace
 
-Modes with_shapes(const Modes& modes, const MatrixXd& Psi, const System& system) {
+Basis with_shapes(const Modes& modes, const MatrixXd& Psi, const System& system, double mass_of_shapes) {
   const Index n = modes.size(), n_s = Psi.cols();
-  if (n_s == 0) return modes;
+  if (!(mass_of_shapes > 0)) throw std::invalid_argument("static shapes need some mass");
+  if (n_s == 0) return {modes};
   const MatrixXd M = Psi.transpose() * (system.M * Psi), K = Psi.transpose() * (system.K * Psi);
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(M, K);  // ascending in mu, descending in omega
   if (eigen.info() != Eigen::Success || !(eigen.eigenvalues().minCoeff() > 0))
@@ -83,10 +86,10 @@ Modes with_shapes(const Modes& modes, const MatrixXd& Psi, const System& system)
   all.Phi.rightCols(n_s) = Psi * eigen.eigenvectors().rowwise().reverse() * omega.asDiagonal();
   all.residual.conservativeResize(n + n_s);
   all.residual.tail(n_s).setConstant(std::nan(""));  // they are none of the body
-  return all;
+  return {std::move(all), n_s, mass_of_shapes};
 }
 
-Model in_bases(const Model& model, std::span<const Modes> bases) {
+Model in_bases(const Model& model, std::span<const Basis> bases) {
   if (bases.size() != model.bodies.size()) throw std::invalid_argument("bases: of every body its own");
   Model reduced{model.scene, {}};
   for (size_t i = 0; i < bases.size(); ++i) {

@@ -121,15 +121,18 @@ std::unique_ptr<Prepared> ContactVariants::prepare(const Scene& scene, const Con
                                                              context_.catalogue.integrator("exact"), settings));
 }
 
-std::unique_ptr<Prepared> ContactVariants::prepare_on_mesh(const ContactContender& contender) const {
+std::unique_ptr<Prepared> ContactVariants::prepare_on_mesh(const ContactContender& contender,
+                                                           double mass_of_shapes) const {
   const auto mesh = with_scene(body_.scene_model, linearised(*context_.scene));
-  std::vector<Modes> bases;
+  std::vector<Basis> bases;
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     const Body& body = mesh->scene->bodies[i];
-    bases.push_back(leading(modes_[i], contender.modes));
+    const BodyModel& model = mesh->bodies[i];
+    bases.push_back({leading(modes_[i], contender.modes)});
     if (contender.method != "static-correction") continue;
-    const MatrixXd Psi = contact_shapes(*mesh->scene, body, mesh->bodies[i], bases[i], physical_shift(body));
-    bases[i] = with_shapes(bases[i], Psi, mesh->bodies[i].full->system());
+    const Modes modes = std::move(bases.back().modes);
+    const MatrixXd Psi = contact_shapes(*mesh->scene, body, model, modes, physical_shift(body));
+    bases.back() = with_shapes(modes, Psi, model.full->system(), mass_of_shapes);
   }
   const auto reduced = std::make_shared<const Model>(in_bases(*mesh, bases));
   Settings settings;

@@ -32,9 +32,9 @@ class ContactVariants {
   Scene with_flight(double flight, double after) const;
 
   // The modes and static shapes of a contender in the contact of full order (basis_model.h): small rotations and points
-  // on the surface of the mesh in the place of a floating frame and points on the shape. At a hundredth of the truth's
-  // tolerance. Throws as prepare_impact for a body that spins.
-  std::unique_ptr<Prepared> prepare_on_mesh(const ContactContender& contender) const;
+  // on the surface of the mesh in the place of a floating frame and points on the shape. Static shapes have that part
+  // of their mass [-], > 0. At a hundredth of the truth's tolerance. Throws as prepare_impact for a body that spins.
+  std::unique_ptr<Prepared> prepare_on_mesh(const ContactContender& contender, double mass_of_shapes) const;
 
   // Of a contender with modes.
   std::shared_ptr<const FloatingBases> bases(const Scene& scene, const ContactContender& contender) const;
