@@ -14,12 +14,15 @@ namespace mb {
 namespace {
 
 constexpr int n_mode_counts = 3, refinement = 4;
+constexpr double hardly_any = 1e-4;  // [-] of the static shapes' mass: a hundredth of the period
 
 std::string in_words(bool finite) {
   return fmt::format(
-      "modal in steps, modal in steps of a quarter of that, the same modes and static shapes with their "
-      "mass in the contact of full order (small rotations, points on the mesh's surface in the place of "
-      "the exact one), full order on the same mesh{0}, full order on the finer mesh{0}{1}",
+      "modal in steps, modal in steps of a quarter of that, the same modes and static shapes in the contact of full "
+      "order "
+      "(small rotations, points on the mesh's surface in the place of the exact one), these shapes with their mass, "
+      "full "
+      "order on the same mesh{0}, full order on the finer mesh{0}{1}",
       finite ? " with linear kinematics" : "", finite ? ", finite strain on that" : "");
 }
 
@@ -44,13 +47,18 @@ class ContactBudget {
       return variants_.prepare(scene_, {method, r, step})->simulate({.t = sample_times(scene_)});
     };
     const Trajectory stepped = modal(h), limit = modal(h / refinement);
-    const auto on_mesh = tried("modes on the mesh's surface", [&] { return variants_.prepare_on_mesh({method, r}); });
+    const auto on_mesh = [&](double mass_of_shapes) {
+      return tried("modes on the mesh's surface", [&] {
+        return variants_.prepare_on_mesh({method, r}, mass_of_shapes);
+      });
+    };
+    const bool with_shapes = method == "static-correction";
+    const auto massless = on_mesh(hardly_any), with_mass = with_shapes ? on_mesh(1) : std::nullopt;
     for (size_t b = 0; b < points_.size(); ++b) {
       std::vector<BudgetLink> chain{{"", normed(stepped, b)}, {"time stepping", normed(limit, b)}};
-      chain.push_back({"contact on the surface", {}});
-      if (on_mesh) chain.back().answer = normed(*on_mesh, b);
-      for (const auto& [link, answer] : full_)
-        chain.push_back({link, answer ? std::optional(normed(*answer, b)) : std::nullopt});
+      chain.push_back({"contact on the surface", normed(massless, b)});
+      if (with_shapes) chain.push_back({"mass of static shapes", normed(with_mass, b)});
+      for (const auto& [link, answer] : full_) chain.push_back({link, normed(answer, b)});
       tables_.add({scene_.bodies[b].name, method, static_cast<double>(r), "exact", fmt::format("dt = {:.3g} s", h)},
                   chain);
     }
@@ -64,6 +72,10 @@ class ContactBudget {
  private:
   Normed normed(const Trajectory& answer, size_t b) const {
     return in_both_norms(answer, {scene_, static_cast<Index>(b), points_[b], !is_held(scene_.bodies[b])});
+  }
+
+  std::optional<Normed> normed(const std::optional<Trajectory>& answer, size_t b) const {
+    return answer ? std::optional(normed(*answer, b)) : std::nullopt;
   }
 
   // Nothing where it cannot be made: why goes into the note.
