@@ -16,7 +16,7 @@ constexpr double tolerance = 1e-7;
 
 // A soft ball just above a floor, or above a board whose ends lie on supports.
 Scene falling(bool on_board) {
-  Scene scene = one_body(Sphere{0.05}, {1e6, 0.3, 1000}, {1, {1}});
+  Scene scene = one_body(Sphere{0.05}, {1e6, 0.3, 1000}, {2, {1}});
   scene.bodies[0].damping = {0, 1e-4};
   scene.bodies[0].pose.position = {0, 0, 0.0501};
   scene.bodies[0].twist.velocity = {0, 0, -1};
