@@ -1,6 +1,6 @@
 // The analyses themselves, as analysis_catalogue() lists them. All look at the scene's first body, on the mesh of its
-// modal contenders, with contact `budget` at every body; collision-cost and contact-forces at its shape alone, held rigid. Names of their tables and of the
-// columns, which reports look up:
+// modal contenders, with contact `budget` at every body; collision-cost and contact-forces at its shape alone, held
+// rigid. Names of their tables and of the columns, which reports look up:
 //
 //   step-limits               system | modes r | scheme | integrator | omega max | zeta | formula | dt formula |
 //                             dt measured | measured / formula | omega deciding
@@ -52,7 +52,7 @@
 //                             contact evaluations | time | spread | time a step | real-time factor
 //   flight-cost-exponents     cost | grows with | runs fitted | exponent | standard error | expected
 //   amplitude                 speed | speed/scene's | status | largest strain | largest deformation |
-//                             error of linear | modal against linear | modal against finite | peak force |
+//                             error of linear | of steps | modal against linear | modal against finite | peak force |
 //                             linear/finite peak force | ... (impulse, duration likewise)
 //   amplitude-limits          error of linear | passed | speed | speed/scene's | largest strain | largest deformation
 //   amplitude-exponents       grows with | speeds fitted | exponent | standard error | expected
