@@ -52,6 +52,15 @@ void require_consistent(const Contact& contact, Index n) {
     throw std::invalid_argument("contact: body and partner have other unknowns");
 }
 
+// Of a row with more entries than columns, as where nodes share their unknowns: those of a reduced body, which all do.
+void add_up(Index n, std::vector<std::pair<Index, double>>& row) {
+  VectorXd sum = VectorXd::Zero(n);
+  for (const auto& [column, entry] : row) sum[column] += entry;
+  row.clear();
+  for (Index column = 0; column < n; ++column)
+    if (sum[column] != 0) row.emplace_back(column, sum[column]);
+}
+
 }  // namespace
 
 bool ContactForces::meet() const {
@@ -200,15 +209,6 @@ ContactSum ContactForces::operator()(const VectorXd& u, const VectorXd& v, Vecto
   const ContactSum sum = evaluate(u, v, f, true);
   assemble(tangent);
   return sum;
-}
-
-// Of a row with more entries than columns, as where nodes share their unknowns: those of a reduced body, which all do.
-void ContactForces::add_up(Index n, Row& row) {
-  VectorXd sum = VectorXd::Zero(n);
-  for (const auto& [column, entry] : row) sum[column] += entry;
-  row.clear();
-  for (Index column = 0; column < n; ++column)
-    if (sum[column] != 0) row.emplace_back(column, sum[column]);
 }
 
 // Of a touching point's displacement, relative to its foot: n^T D_i, or D_i - sum_a N_a D_a along one axis.

@@ -60,7 +60,6 @@ class ContactForces {
   static void tractions(const Part& part, ContactSum& sum, bool with_tangent);
   static void tractions_between(const Part& part, ContactSum& sum, bool with_tangent);
   static void push(const Part& part, Index i, const Traction3& t, const Gap& at, const Vector3d& v, ContactSum& sum);
-  static void add_up(Index n, Row& row);
   static void relative_row(const Part& part, size_t touching, Index component, Row& row);
   void assemble(Tangent& tangent) const;
 
