@@ -9,17 +9,26 @@ namespace mb {
 
 namespace {
 
-// Two lines: "static-correction, r = 32" and "newmark, step 0.001 s". On one they would be cut or crowd out the bars.
-std::string label_of(const Finding& finding, std::size_t i) {
+bool of_several_bodies(const Finding& finding) {
+  for (std::size_t i = 1; i < finding.rows.size(); ++i)
+    if (text_at(finding, i, "body") != text_at(finding, 0, "body")) return true;
+  return false;
+}
+
+// Two lines: "ball, static-correction, r = 32" and "newmark, step 0.001 s". On one they would be cut or crowd out the
+// bars.
+std::string label_of(const Finding& finding, std::size_t i, bool with_body) {
   const std::string integrator = text_at(finding, i, "integrator");
   const std::string steps = joined({integrator == "exact" ? "" : integrator, text_at(finding, i, "setting")}, ", ");
-  return joined({with_modes(datum_of(finding, i), text_at(finding, i, "method")), steps}, "\n");
+  const std::string contender = with_modes(datum_of(finding, i), text_at(finding, i, "method"));
+  return joined({joined({with_body ? text_at(finding, i, "body") : "", contender}, ", "), steps}, "\n");
 }
 
 }  // namespace
 
 // Parts are norms of differences that add as vectors: the stack is longer than the whole where they cancel.
 std::vector<Figure> budget_figures(const Finding& finding) {
+  const bool with_body = of_several_bodies(finding);
   std::vector<Figure> all;
   for (const char* norm : {"M norm", "K norm"}) {
     if (!has(finding, {"method", "part", norm})) continue;
@@ -28,7 +37,7 @@ std::vector<Figure> budget_figures(const Finding& finding) {
       const double value = number_at(finding, i, norm);
       const std::string part = text_at(finding, i, "part");
       if (!std::isfinite(value) || part.starts_with("sum") || part.starts_with("total")) continue;
-      data.push_back({{"contender", label_of(finding, i)}, {"part", part}, {"norm", value}});
+      data.push_back({{"contender", label_of(finding, i, with_body)}, {"part", part}, {"norm", value}});
     }
     const Json y = {{"field", "contender"},
                     {"type", "nominal"},

@@ -21,9 +21,9 @@ inline Vocabulary vocabulary() {
           {"sundials"},
           {"budget", "step-limits", "aliasing", "frequency-response", "mode-amplitudes", "damping", "frequencies",
            "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact", "flight-cost",
-           "instructions", "slenderness"},
-          {"budget", "aliasing", "frequency-response", "probe-extremes", "damping", "slenderness"},
-          {"contact-stiffness", "contact", "flight-cost", "instructions"}};
+           "amplitude", "instructions", "slenderness"},
+          {"aliasing", "frequency-response", "probe-extremes", "damping", "slenderness"},
+          {"contact-stiffness", "contact", "flight-cost", "amplitude", "instructions"}};
 }
 
 inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }

@@ -1,6 +1,6 @@
 // The analyses themselves, as analysis_catalogue() lists them. All look at the scene's first body, on the mesh of its
-// modal contenders; collision-cost and contact-forces at its shape alone, held rigid. Names of their tables and of the
-// columns, which reports look up:
+// modal contenders, with contact `budget` at every body; collision-cost and contact-forces at its shape alone, held
+// rigid. Names of their tables and of the columns, which reports look up:
 //
 //   step-limits               system | modes r | scheme | integrator | omega max | zeta | formula | dt formula |
 //                             dt measured | measured / formula | omega deciding
@@ -13,8 +13,8 @@
 //                             low-band error cut modal | frame error full order | frame error cut modal |
 //                             sub-samples needed | verdict
 //   aliasing-modes            frame rate | mode | frequency | apparent frequency | energy above F/2
-//   budget                    method | modes r | integrator | setting | part | M norm | K norm
-//   budget-cross-terms        method | modes r | integrator | setting | parts | M norm | K norm
+//   budget                    body | method | modes r | integrator | setting | part | M norm | K norm
+//   budget-cross-terms        body | method | modes r | integrator | setting | parts | M norm | K norm
 //   frequency-response        load | contender | modes r | frequency | amplitude | phase
 //   frequency-response-error  load | contender | modes r | error | largest deviation | at
 //   frequency-response-peaks  contender | load | modes r | frequency | amplitude
@@ -58,6 +58,11 @@
 //                             MIPS for real time | time | real-time factor | verdict
 //   slenderness               claim | load | length/width | degree | functions | displacement error | static error |
 //                             strain error | bar | frequency ratio | verdict
+//   amplitude                 speed | speed/scene's | status | largest strain | largest deformation |
+//                             error of linear | of steps | modal against linear | modal against finite | peak force |
+//                             linear/finite peak force | ... (impulse, duration likewise)
+//   amplitude-limits          error of linear | passed | speed | speed/scene's | largest strain | largest deformation
+//   amplitude-exponents       grows with | speeds fitted | exponent | standard error | expected
 #pragma once
 
 #include "harness/analysis/analysis.h"
@@ -79,5 +84,6 @@ std::vector<Finding> contact(const AnalysisContext& context);
 std::vector<Finding> flight_cost(const AnalysisContext& context);
 std::vector<Finding> instructions(const AnalysisContext& context);
 std::vector<Finding> polynomials_over_slenderness(const AnalysisContext& context);
+std::vector<Finding> amplitude(const AnalysisContext& context);
 
 }  // namespace mb

@@ -29,7 +29,7 @@ struct Analysis {
 
 // The visible list: budget, step-limits, aliasing, frequency-response, mode-amplitudes, damping, frequencies,
 // probe-extremes, collision-cost, contact-forces, contact-stiffness, contact,
-// flight-cost, instructions, slenderness.
+// flight-cost, amplitude, instructions, slenderness.
 const std::vector<Analysis>& analysis_catalogue();
 const Analysis& analysis(const std::string& name);  // throws std::out_of_range naming it
 

@@ -8,8 +8,11 @@ namespace mb {
 const std::vector<Analysis>& analysis_catalogue() {
   constexpr auto loaded = Analysis::Scenes::without_contact, touching = Analysis::Scenes::with_contact;
   static const std::vector<Analysis> all{
-      {"budget", "which part of an answer's error is due to the step, to truncation and to the mesh", &error_budget,
-       loaded},
+      {"budget",
+       "which part of an answer's error is due to the step, to truncation, to the mesh, to contact on its surface and "
+       "to "
+       "finite strain",
+       &error_budget},
       {"step-limits", "largest stable steps of explicit schemes, by formula, by bisection and by runs", &step_limits},
       {"aliasing", "what frames make of motion too fast for them, and what it takes to avoid it", &temporal_aliasing,
        loaded},
@@ -31,6 +34,8 @@ const std::vector<Analysis>& analysis_catalogue() {
       {"contact", "its layer, the polynomials and samples that carry it, its force over time, where the time goes",
        &contact, touching},
       {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching},
+      {"amplitude", "the speed of an impact at which linear theory ends, by linear against finite kinematics",
+       &amplitude, touching},
       {"instructions", "instructions a simulated second, by valgrind, beside the time they take", &instructions,
        touching},
       {"slenderness", "errors of polynomial modes by degree on bodies from compact to slender",

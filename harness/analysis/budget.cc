@@ -4,46 +4,15 @@
 #include <limits>
 
 #include "harness/analysis/analyses.h"
+#include "harness/analysis/budget_tables.h"
+#include "harness/analysis/contact_budget.h"
 #include "harness/analysis/reduced_answers.h"
-#include "harness/analysis/telescope.h"
 
 namespace mb {
 
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Finding parts_table(const char* truth) {
-  return table(
-      "budget", "budget", "Error budget: what each simplification costs",
-      fmt::format("The error as a telescope of answers that differ in one respect: modal in time steps, modal in "
-                  "closed form, full order on the same mesh, full order on the finer mesh{}. Norms over space and "
-                  "time at the evaluation points, relative to the last: M norm of the deformation, each answer in "
-                  "its own best rigid frame where the body is free; K norm of the strain. Parts add up as vectors: "
-                  "total^2 is the sum of their squares and of the cross terms.",
-                  truth),
-      {{"method", ""},
-       {"modes r", ""},
-       {"integrator", ""},
-       {"setting", ""},
-       {"part", ""},
-       {"M norm", "-"},
-       {"K norm", "-"}});
-}
-
-Finding cross_table() {
-  return table(
-      "budget", "budget-cross-terms", "Error budget: cross terms",
-      "2 <a, b> over the square of the truth's norm. Positive: both parts err the same way; negative: one hides "
-      "part of the other.",
-      {{"method", ""},
-       {"modes r", ""},
-       {"integrator", ""},
-       {"setting", ""},
-       {"parts", ""},
-       {"M norm", "-"},
-       {"K norm", "-"}});
-}
 
 // One contender of the budget; without an integrator: in closed form.
 struct Entry {
@@ -102,21 +71,26 @@ std::vector<Entry> entries(const AnalysisContext& context) {
   return all;
 }
 
-// Both norms of an answer at once.
-struct Normed {
-  MatrixXd mass, energy;
-};
+std::string in_words(const AnalysisContext& context) {
+  return fmt::format(
+      "modal in time steps, modal in closed form, full order on the same mesh, full order on the finer "
+      "mesh{}",
+      context.truth.exact ? ", closed form of the continuum" : "");
+}
 
 class Budget {
  public:
   explicit Budget(const AnalysisContext& context)
       : context_(context),
-        points_(evaluation_points(*context.scene, context.scene->bodies.front())),
+        body_(context.scene->bodies.front()),
+        points_(evaluation_points(*context.scene, body_)),
         metric_{*context.scene, 0, points_, is_free(context)},
-        full_({normed(context.truth.same_mesh), normed(context.truth.finer)}) {
-    if (context.truth.exact) full_.push_back(normed(*context.truth.exact));
-    parts_ = parts_table(context.truth.exact ? ", closed form of the continuum" : "");
-    cross_ = cross_table();
+        tables_(in_words(context)) {
+    // Modes are of small strains, full order is not where the body is finite.
+    const bool finite = body_.kinematics == Kinematics::finite;
+    full_.push_back({finite ? "truncation + finite strain" : "truncation", normed(context.truth.same_mesh)});
+    full_.push_back({"discretisation", normed(context.truth.finer)});
+    if (context.truth.exact) full_.push_back({"finer mesh", normed(*context.truth.exact)});
   }
 
   void add(const Entry& entry, const ReducedAnswers& answers) {
@@ -125,60 +99,34 @@ class Budget {
       closed_name_ = known;
       closed_ = normed(answers.answer(entry.method, context_.catalogue.integrator("exact"), entry.settings));
     }
-    std::vector<Normed> chain;
-    if (entry.integrator) chain.push_back(normed(answers.answer(entry.method, *entry.integrator, entry.settings)));
-    chain.push_back(closed_);
-    for (const Normed& answer : full_) chain.push_back(answer);
-    add_rows(entry, chain);
+    std::vector<BudgetLink> chain;
+    if (entry.integrator)
+      chain.push_back({"", normed(answers.answer(entry.method, *entry.integrator, entry.settings))});
+    chain.push_back({entry.integrator ? "time stepping" : "", closed_});
+    chain.insert(chain.end(), full_.begin(), full_.end());
+    const double r = context_.catalogue.method(entry.method).takes_modes() ? entry.settings.modes : nan;
+    tables_.add({body_.name, entry.method, r, entry.integrator ? entry.integrator->name : "exact", entry.setting},
+                chain);
   }
-  std::vector<Finding> findings() && { return {std::move(parts_), std::move(cross_)}; }
+  std::vector<Finding> findings() && { return std::move(tables_).findings(); }
 
  private:
-  Normed normed(const Trajectory& answer) const {
-    return {in_mass_norm(answer, metric_), in_energy_norm(answer, metric_)};
-  }
-  void add_rows(const Entry& entry, const std::vector<Normed>& chain);
+  Normed normed(const Trajectory& answer) const { return in_both_norms(answer, metric_); }
 
   const AnalysisContext& context_;
+  const Body& body_;
   EvaluationPoints points_;
   MetricContext metric_;
-  std::vector<Normed> full_;  // same mesh, finer, and the continuum where known
+  std::vector<BudgetLink> full_;  // same mesh, finer, and the continuum where known
   std::string closed_name_;
   Normed closed_;  // the closed form of the method and mode count last asked for
-  Finding parts_, cross_;
+  BudgetTables tables_;
 };
-
-void Budget::add_rows(const Entry& entry, const std::vector<Normed>& chain) {
-  std::vector<MatrixXd> mass, energy;
-  for (const Normed& answer : chain) {
-    mass.push_back(answer.mass);
-    energy.push_back(answer.energy);
-  }
-  const Telescope M = telescope(mass), K = telescope(energy);
-  std::vector<std::string> names{"truncation", "discretisation"};
-  if (entry.integrator) names.insert(names.begin(), "time stepping");
-  if (context_.truth.exact) names.push_back("finer mesh");
-  const double r = context_.catalogue.method(entry.method).takes_modes() ? entry.settings.modes : nan;
-  const std::string integrator = entry.integrator ? entry.integrator->name : "exact";
-  const auto row = [&](const std::string& name, double m, double k) -> std::vector<FindingCell> {
-    return {entry.method, r, integrator, entry.setting, name, m, k};
-  };
-  for (size_t i = 0; i < names.size(); ++i) {
-    const auto a = static_cast<Index>(i);
-    parts_.rows.push_back(row(names[i], M.parts(a), K.parts(a)));
-    for (size_t j = i + 1; j < names.size(); ++j) {
-      const auto b = static_cast<Index>(j);
-      cross_.rows.push_back(row(names[i] + " x " + names[j], M.cross(a, b), K.cross(a, b)));
-    }
-  }
-  parts_.rows.push_back(row("contact on the surface", nan, nan));
-  parts_.rows.push_back(row("finite strain", nan, nan));
-  parts_.rows.push_back(row("total", M.total, K.total));
-}
 
 }  // namespace
 
 std::vector<Finding> error_budget(const AnalysisContext& context) {
+  if (!context.scene->contacts.empty()) return contact_budget(context);
   const std::vector<Entry> all = entries(context);
   int most = 0;
   for (const Entry& entry : all) most = std::max(most, entry.settings.modes);

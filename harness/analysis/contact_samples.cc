@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "harness/analysis/contact_tables.h"
+#include "harness/analysis/first_impact.h"
 
 namespace mb {
 
@@ -42,20 +43,20 @@ Finding contact_samples(const ContactVariants& variants, const AnalysisContext& 
   const auto sampled = [](const ContactPair& pair) { return pair.law == ContactLaw::penalty; };
   if (!std::ranges::any_of(context.scene->contacts, sampled)) return found;
   const Trajectory& truth = context.truth.finer;
-  const Impact real = impact_of(truth, truth);
+  const FirstImpact real = first_impact(truth, truth);
   for (ContactContender of : variants.contenders()) {
     if (of.modes < 0) continue;
-    std::vector<Impact> impacts;
+    std::vector<FirstImpact> impacts;
     std::vector<Index> counts;
     for (const double size : finest) {
       of.finest_sample = size;
-      impacts.push_back(impact_of(variants.simulate(*context.scene, of), truth));
+      impacts.push_back(first_impact(variants.simulate(*context.scene, of), truth));
       counts.push_back(n_samples(*variants.bases(*context.scene, of)));
     }
-    const Impact& best = impacts.back();
+    const FirstImpact& best = impacts.back();
     const auto change = [](double a, double b) { return FindingCell(a / b - 1); };
     for (size_t i = 0; i < impacts.size(); ++i) {
-      const Impact& now = impacts[i];
+      const FirstImpact& now = impacts[i];
       found.rows.push_back({of.method, count(of.modes), finest[i], count(counts[i]), now.duration, now.peak,
                             now.impulse, change(now.duration, best.duration), change(now.peak, best.peak),
                             change(now.impulse, best.impulse), change(now.peak, real.peak),

@@ -4,6 +4,7 @@
 #include "cases/contract/touchdown.h"
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/contact_variants.h"
+#include "harness/analysis/first_impact.h"
 
 namespace mb {
 
@@ -41,12 +42,12 @@ std::vector<Finding> contact_stiffness(const AnalysisContext& context) {
   const Touchdown down = touchdown(scene, scene.bodies.front());
   const auto add = [&](const Meeting& meeting, const std::string& contender, const ContactContender& answer) {
     const Scene stated = variants.with_stiffness(meeting.contact, meeting.size.stiffness);
-    const Impact as_it_is = impact_of(variants.simulate(stated, answer), truth);
+    const FirstImpact as_it_is = first_impact(variants.simulate(stated, answer), truth);
     for (const double factor : factors) {
       const double k = factor * meeting.size.stiffness;
-      const Impact now = factor == 1
-                             ? as_it_is
-                             : impact_of(variants.simulate(variants.with_stiffness(meeting.contact, k), answer), truth);
+      const FirstImpact now =
+          factor == 1 ? as_it_is
+                      : first_impact(variants.simulate(variants.with_stiffness(meeting.contact, k), answer), truth);
       const auto change = [](double a, double b) { return FindingCell(a / b - 1); };
       const bool lumped = scene.contacts[meeting.contact].law == ContactLaw::hertz;
       found.rows.push_back({scene.contacts[meeting.contact].obstacle, contender,

@@ -1,11 +1,11 @@
 #include "harness/analysis/contact_variants.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
-#include "harness/metrics/contact_metrics.h"
+#include "harness/analysis/basis_model.h"
 #include "modal/bases/eigenmodes.h"
+#include "modal/contact/contact_shapes.h"
 #include "modal/contact/contact_step.h"
 
 namespace mb {
@@ -35,13 +35,29 @@ double least_step(const Study& study) {
 
 }  // namespace
 
-Impact impact_of(const Trajectory& answer, const Trajectory& truth) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto contact = first_contact(answer.bodies.front().contact.touches, truth.bodies.front().contact.touches);
-  if (answer.status != Status::ok || !contact) return {nan, nan, nan, nan};
-  const Touch& touch = contact->whole;
-  const double duration = touch.end - touch.start;
-  return {touch.start, std::isfinite(duration) ? duration : nan, touch.peak_force, touch.impulse.norm()};
+Scene linearised(const Scene& scene) {
+  Scene linear = scene;
+  for (Body& body : linear.bodies) body.kinematics = Kinematics::linear;
+  return linear;
+}
+
+Scene thrown(const Scene& scene, double factor, double flight, double after) {
+  Scene changed = scene;
+  Body& body = changed.bodies.front();
+  const Touchdown down = touchdown(scene, body);
+  const auto free = std::ranges::count_if(scene.bodies, [](const Body& b) { return !is_held(b); });
+  if (is_held(body) || free > 1 || !body.twist.angular_velocity.isZero(0) || !std::isfinite(down.t))
+    throw std::invalid_argument(
+        "only of one free body without spin, the first, that meets an obstacle or a body that is held");
+  const Vector3d v = body.twist.velocity + down.t * scene.gravity;
+  body.pose.position += down.t * body.twist.velocity + down.t * down.t / 2 * scene.gravity - flight * factor * v;
+  body.twist.velocity = factor * v;
+  changed.gravity.setZero();
+  changed.duration = flight + after;
+  changed.samples_from = 0;
+  // The layer stays the scene's own where it is found from speed and weight, too.
+  for (const Meeting& meeting : down.meetings) changed.contacts[meeting.contact].stiffness = meeting.size.stiffness;
+  return changed;
 }
 
 ContactVariants::ContactVariants(const AnalysisContext& context)
@@ -65,21 +81,8 @@ Scene ContactVariants::with_stiffness(std::size_t contact, double stiffness) con
 }
 
 Scene ContactVariants::with_flight(double flight, double after) const {
-  Scene scene = *context_.scene;
-  Body& body = scene.bodies.front();
-  const Touchdown down = touchdown(scene, body);
-  if (scene.bodies.size() > 1 || is_held(body) || !body.twist.angular_velocity.isZero(0) || !std::isfinite(down.t))
-    throw std::invalid_argument("only of one free body without spin that meets an obstacle");
-  const Vector3d v = body.twist.velocity + down.t * scene.gravity;
-  const Vector3d fallen = down.t * body.twist.velocity + down.t * down.t / 2 * scene.gravity;
-  body.pose.position += fallen - flight * v;
-  body.twist.velocity = v;
-  scene.gravity.setZero();
-  scene.duration = flight + after;
-  scene.samples_from = 0;
-  // The layer stays the scene's own where it is found from the weight, too.
-  for (const Meeting& meeting : down.meetings) scene.contacts[meeting.contact].stiffness = meeting.size.stiffness;
-  return scene;
+  if (context_.scene->bodies.size() > 1) throw std::invalid_argument("only of one body that meets an obstacle");
+  return thrown(*context_.scene, 1, flight, after);
 }
 
 namespace {
@@ -117,6 +120,27 @@ std::unique_ptr<Prepared> ContactVariants::prepare(const Scene& scene, const Con
   settings.time_step = contender.time_step;
   return std::make_unique<Keeping>(changed, prepare_floating(bases_of(*changed, modes_, contender),
                                                              context_.catalogue.integrator("exact"), settings));
+}
+
+std::unique_ptr<Prepared> ContactVariants::prepare_on_mesh(const ContactContender& contender,
+                                                           double mass_of_shapes) const {
+  const auto mesh = with_scene(body_.scene_model, linearised(*context_.scene));
+  std::vector<Basis> bases;
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    const Body& body = mesh->scene->bodies[i];
+    const BodyModel& model = mesh->bodies[i];
+    bases.push_back({leading(modes_[i], contender.modes)});
+    if (contender.method != "static-correction") continue;
+    const Modes modes = std::move(bases.back().modes);
+    const MatrixXd Psi = contact_shapes(*mesh->scene, body, model, modes, physical_shift(body));
+    bases.back() = with_shapes(modes, Psi, model.full->system(), mass_of_shapes);
+  }
+  const auto reduced = std::make_shared<const Model>(in_bases(*mesh, bases));
+  Settings settings;
+  settings.relative_tolerance = context_.scene->truth.relative_tolerance / 100;
+  auto prepared =
+      context_.catalogue.method("full-order").prepare(*reduced, settings, context_.catalogue.integrator("sundials"));
+  return std::make_unique<Keeping>(reduced, std::move(prepared));
 }
 
 Trajectory ContactVariants::simulate(const Scene& scene, const ContactContender& contender) const {

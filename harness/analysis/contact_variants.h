@@ -14,11 +14,12 @@ struct ContactContender {
   double finest_sample = mb::finest_sample;  // [-] of the contact's radius, of modes
 };
 
-// Of the first contact of an answer, as the truth has it.
-struct Impact {
-  double start, duration, peak, impulse;  // [s], [s], [N], [N s]; NaN where it has none
-};
-Impact impact_of(const Trajectory& answer, const Trajectory& truth);
+Scene linearised(const Scene& scene);  // of linear kinematics, every body
+
+// Without gravity, the first body thrown so that it meets what it meets in the scene after `flight` [s], at `factor`
+// times the velocity that it has there, and watched until `after` [s] past that. The layer stays the scene's own.
+// Throws std::invalid_argument for a first body that is held, spins or never meets, and where another one is free.
+Scene thrown(const Scene& scene, double factor, double flight, double after);
 
 class ContactVariants {
  public:
@@ -28,10 +29,13 @@ class ContactVariants {
   // mesh at the truth's tolerance.
   std::vector<ContactContender> contenders() const;
   Scene with_stiffness(std::size_t contact, double stiffness) const;  // [Pa/m], of law hertz [N/m^1.5]
-  // Without gravity, the first body thrown so that it meets its obstacle after `flight` [s] at the speed it has there
-  // in the scene, and watched until `after` [s] past that. Throws std::invalid_argument for one that spins or never
-  // meets.
+  // As thrown, at the scene's own speed, of one body alone.
   Scene with_flight(double flight, double after) const;
+
+  // The modes and static shapes of a contender in the contact of full order (basis_model.h): small rotations and points
+  // on the surface of the mesh in the place of a floating frame and points on the shape. Static shapes have that part
+  // of their mass [-], > 0. At a hundredth of the truth's tolerance. Throws as prepare_impact for a body that spins.
+  std::unique_ptr<Prepared> prepare_on_mesh(const ContactContender& contender, double mass_of_shapes) const;
 
   // Of a contender with modes.
   std::shared_ptr<const FloatingBases> bases(const Scene& scene, const ContactContender& contender) const;

@@ -52,6 +52,15 @@ void require_consistent(const Contact& contact, Index n) {
     throw std::invalid_argument("contact: body and partner have other unknowns");
 }
 
+// Of a row with more entries than columns, as where nodes share their unknowns: those of a reduced body, which all do.
+void add_up(Index n, std::vector<std::pair<Index, double>>& row) {
+  VectorXd sum = VectorXd::Zero(n);
+  for (const auto& [column, entry] : row) sum[column] += entry;
+  row.clear();
+  for (Index column = 0; column < n; ++column)
+    if (sum[column] != 0) row.emplace_back(column, sum[column]);
+}
+
 }  // namespace
 
 bool ContactForces::meet() const {
@@ -214,6 +223,7 @@ void ContactForces::relative_row(const Part& part, size_t touching, Index compon
   for (Index a = 0; a < nodes.size(); ++a)
     for (Rows::InnerIterator it(part.D, 3 * (part.contact->points.X.cols() + nodes[a]) + component); it; ++it)
       row.emplace_back(it.col(), -foot.N[a] * it.value());
+  if (static_cast<Index>(row.size()) > part.D.cols()) add_up(part.D.cols(), row);
 }
 
 // K = sum_i D_i^T B_i D_i over touching points, B_i of 1 x 1 (all entries of it alike) or 3 x 3.
