@@ -12,6 +12,7 @@
 #include "modal/bases/eigenmodes.h"
 #include "modal/contact/contact_shapes.h"
 #include "modal/contact/sample_tables.h"
+#include "modal/contact/sample_tree.h"
 #include "modal/contact/spin.h"
 #include "modal/contact/surface_polynomials.h"
 #include "modal/methods/projection.h"
@@ -90,10 +91,12 @@ std::vector<SampledContact> sampled_contacts(const Model& model, const FloatingB
                                                  : samples(body, full, meeting, bases[i].geometry.basis, Psi),
                    surface, law_of(pair, meeting.size)});
     all.back().tables = std::make_shared<const SampleTables>(sample_tables(all.back().samples));
-    for (const FloatingBasis& other : bases)
-      if (scene.bodies[other.place].name == pair.obstacle)
-        all.back().partner =
-            surface_of_partner(model, body, meeting, all.back().samples.X, other.place, shapes[other.place]);
+    for (const FloatingBasis& other : bases) {
+      if (scene.bodies[other.place].name != pair.obstacle) continue;
+      all.back().partner =
+          surface_of_partner(model, body, meeting, all.back().samples.X, other.place, shapes[other.place]);
+      all.back().tree = std::make_shared<const SampleTree>(sample_tree(all.back()));
+    }
   }
   return all;
 }
@@ -182,11 +185,11 @@ namespace {
 // u in the body's axes becomes x - X, or is turned to the world's where the body is held.
 void place(const FloatingBasis& basis, const BodyState& state, Eigen::Ref<VectorXd> u) {
   const Eigen::Matrix3d Q = state.Q.toRotationMatrix();
-  auto at = u.reshaped(3, basis.points.cols());
-  if (basis.body.free)
-    at = (Q * (basis.points + at.matrix())).colwise() + state.c - basis.points;
-  else
-    at = (Q * at.matrix()).eval();
+  Eigen::Map<Matrix3Xd> at(u.data(), 3, basis.points.cols());
+  for (Index i = 0; i < at.cols(); ++i) {  // point by point: nothing is allocated
+    const Vector3d X = basis.points.col(i), own = at.col(i);
+    at.col(i) = basis.body.free ? Vector3d(Q * (X + own) + state.c - X) : Vector3d(Q * own);
+  }
 }
 
 BodyTrajectory observed(const FloatingBasis& basis, const ImpactMotion& motion, const Sampling& sampling) {
