@@ -141,16 +141,20 @@ Matrix3Xd PolynomialMap::positions(const Matrix3Xd& X) const {
   return x;
 }
 
-Matrix3Xd PolynomialMap::gradients(const Matrix3Xd& X) const {
+Matrix3Xd PolynomialMap::gradients(const Matrix3Xd& X) const { return points(X).F; }
+
+PolynomialMap::Points PolynomialMap::points(const Matrix3Xd& X) const {
   const Matrix3Xd xi = monomials_.scaled(X);
   const Vector3d& h = monomials_.half_extents();
-  Matrix3Xd F(3, 3 * X.cols());
+  Points at{X, Matrix3Xd(3, 3 * X.cols())};
   for (Index a = 0; a < 3; ++a)
     for_blocks<Order::derivatives>(monomials_.degree(), xi, a_, a, [&](Index first, Index n, const auto& p) {
-      for (Index i = 0; i < n; ++i) F.block<1, 3>(a, 3 * (first + i)) << p.dx[i] / h[0], p.dy[i] / h[1], p.dz[i] / h[2];
+      at.x.row(a).segment(first, n) += p.u.head(n).matrix();
+      for (Index i = 0; i < n; ++i)
+        at.F.block<1, 3>(a, 3 * (first + i)) << p.dx[i] / h[0], p.dy[i] / h[1], p.dz[i] / h[2];
     });
-  for (Index i = 0; i < X.cols(); ++i) F.block<3, 3>(0, 3 * i).diagonal().array() += 1;
-  return F;
+  for (Index i = 0; i < X.cols(); ++i) at.F.block<3, 3>(0, 3 * i).diagonal().array() += 1;
+  return at;
 }
 
 PolynomialMap::Point PolynomialMap::about_centre(const Vector3d& xi) const {

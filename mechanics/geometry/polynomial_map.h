@@ -34,6 +34,11 @@ class PolynomialMap {
   Point at(const Vector3d& X) const;
   Matrix3Xd positions(const Matrix3Xd& X) const;  // x [m] 3 x n
   Matrix3Xd gradients(const Matrix3Xd& X) const;  // F [-] 3 x 3n, of point i in columns 3i ... 3i + 2
+  struct Points {
+    Matrix3Xd x;  // [m] 3 x n
+    Matrix3Xd F;  // [-] 3 x 3n, as gradients
+  };
+  Points points(const Matrix3Xd& X) const;  // both, for the price of the gradients
 
   // X [m] in the region of validity with |x - X - u(X)| <= 1e-13 max(extent, |x - c|) and det F > 0; nothing where
   // none is found: x is away from the body, or the body is folded there (det F <= 0 at the only roots). The residual

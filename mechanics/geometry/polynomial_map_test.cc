@@ -25,6 +25,9 @@ TEST(PolynomialMap, ManyPointsAtOnceAreTheSingleOnes) {
     const PolynomialMap map(m, random.coefficients(m, 0.1));
     const Matrix3Xd X = random.points(m, 19, 1.5), x = map.positions(X),
                     F = map.gradients(X);  // not a multiple of a block
+    const auto both = map.points(X);
+    EXPECT_EQ(both.x, x);
+    EXPECT_EQ(both.F, F);
     for (Index i = 0; i < X.cols(); ++i) {
       const auto [position, gradient] = map.at(X.col(i));
       // Same operations in another order of components: rounding of up to 165 terms of size 0.1 * 1.5^8 half extents.
@@ -34,6 +37,7 @@ TEST(PolynomialMap, ManyPointsAtOnceAreTheSingleOnes) {
       EXPECT_EQ(gradient, map.gradient(X.col(i)));
     }
     EXPECT_EQ(map.positions(Matrix3Xd(3, 0)).cols(), 0);
+    EXPECT_EQ(map.points(Matrix3Xd(3, 0)).F.cols(), 0);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "mechanics/geometry/signed_distance.h"
@@ -15,12 +16,6 @@ constexpr int n_rounds = 2;          // of a foot at most; each leaves the strai
 constexpr double still = 1e-4;       // [-] of the size: a foot that moves no farther is found, to second order
 constexpr double surely = 0.8;       // [-] of a distance at rest, of what is far: no strain takes more
 constexpr double most_scaled = 1.1;  // [-] of a foot, by the box in which the modes are known
-constexpr double far = 1.5;          // [-] by the largest displacements: what is left is near the distance
-
-// Of theta -> theta x arm.
-Eigen::Matrix3d turning(const Vector3d& arm) {
-  return (Eigen::Matrix3d() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0).finished();
-}
 
 Vector3d projected(const Shape& shape, const Vector3d& Z) {
   const Distance d = signed_distance(shape, Z);
@@ -36,31 +31,49 @@ BodyPair::BodyPair(const FloatingBody& a, const FloatingBody& b, const SampledCo
       surface_(*contact.partner),
       reach_(contact),
       tables_(tables_of(contact)),
-      Phi_(tables_->Phi),
-      Psi_(tables_->Psi),
-      Psi_b_(surface_.Psi),
+      tree_(tree_of(contact)),
+      feels_rates_(contact.law.damping > 0 || contact.law.friction),
       feet_(surface_.feet) {}
+
+void BodyPair::Near::reserve(Index m) {
+  if (m <= gap.size()) return;
+  m = std::max(2 * gap.size(), m);
+  for (MatrixXd* of : {&Phi, &Psi, &Psi_b}) of->conservativeResize(of->rows(), 3 * m);
+  for (Matrix3Xd* of : {&x, &v, &n, &Y, &y}) of->resize(3, m);
+  gap.resize(m);
+  gap_by_s.resize(Psi.rows() + Psi_b.rows(), m);
+}
+
+void BodyPair::meet(const BodyState& a, const BodyState& b) {
+  Q_a_ = a.Q.toRotationMatrix(), Q_b_ = b.Q.toRotationMatrix();
+  turn_ = Q_b_.transpose() * Q_a_;
+  apart_ = Q_b_.transpose() * (a.c - b.c);
+  map_.emplace(surface_.geometry.map(b.q));
+}
 
 void BodyPair::look(const Moving& a, const Moving& b) {
   at_a_ = a, at_b_ = b;
-  Q_a_ = a.state->Q.toRotationMatrix(), Q_b_ = b.state->Q.toRotationMatrix();
-  map_.emplace(surface_.geometry.map(b.state->q));
-  rate_.emplace(surface_.geometry.map(*b.rate));
-  n_ = reach_.n_reachable(
-      *a.state, [&] { return gaps(); }, b.state);
-  near_.resize(static_cast<size_t>(n_));
-  for (Index k = 0; k < n_; ++k) {
-    const Index i = reach_[k];
-    Near& near = near_[static_cast<size_t>(k)];
-    const auto Phi = Phi_.middleCols(3 * i, 3);
-    const Vector3d arm = Q_a_ * (contact_.samples.X.col(i) + Phi.transpose() * a.state->q);
-    near.x = a.state->c + arm;
-    find_foot(i, near);
-    feet_.col(i) = near.Y;
-    const Vector3d own = a.state->v + a.Omega.cross(arm) + Q_a_ * (Phi.transpose() * *a.rate);
-    near.v = own - (b.state->v + b.Omega.cross(Q_b_ * near.y) + Q_b_ * rate_->displacement(near.Y));
+  meet(*a.state, *b.state);
+  const auto list = [&](const ListSize& size) { return neighbours(*a.state, *b.state, size); };
+  n_ = reach_.n_reachable(*a.state, list, b.state);
+  if (n_ == 0) return;
+  gather();
+  find_feet();
+  if (feels_rates_) find_rates(surface_.geometry.map(*b.rate));
+}
+
+void BodyPair::gather() {
+  if (near_.gap.size() == 0) {
+    near_.Phi.resize(a_.n_modes(), 0), near_.Psi.resize(a_.n_static(), 0), near_.Psi_b.resize(b_.n_static(), 0);
   }
-  clearance_ = std::min(least_gap(), reach_.beyond(*a.state, b.state));
+  near_.reserve(n_);
+  if (reach_.n_lists() != list_) list_ = reach_.n_lists(), n_gathered_ = 0;
+  for (; n_gathered_ < n_; ++n_gathered_) {
+    const Index i = reach_[n_gathered_];
+    near_.Phi.middleCols(3 * n_gathered_, 3) = tables_->Phi.middleCols(3 * i, 3);
+    near_.Psi.middleCols(3 * n_gathered_, 3) = tables_->Psi.middleCols(3 * i, 3);
+    near_.Psi_b.middleCols(3 * n_gathered_, 3) = surface_.Psi.middleCols(3 * i, 3);
+  }
 }
 
 // The nearest to Y of the box in which the modes of b are known, made larger by a factor: beyond it polynomials mean
@@ -72,60 +85,103 @@ Vector3d BodyPair::within_box(const Vector3d& Y, double larger) const {
   return m.centre() + m.half_extents().cwiseProduct(xi.cwiseMax(-larger).cwiseMin(larger));
 }
 
-void BodyPair::find_foot(Index i, Near& near) const {
-  const Vector3d y = Q_b_.transpose() * (near.x - at_b_.state->c);
-  near.Y = feet_.col(i);
-  for (int round = 0; round < n_rounds; ++round) {
-    const auto at = map_->at(near.Y);
-    const Vector3d before = near.Y;
-    near.Y = projected(surface_.shape, near.Y + at.F.inverse() * (y - at.x));
-    if ((near.Y - before).squaredNorm() < still * still * surface_.radius * surface_.radius) break;
+void BodyPair::find_feet() {
+  const VectorXd u = near_.Phi.leftCols(3 * n_).transpose() * at_a_.state->q;
+  Matrix3Xd target(3, n_), Y(3, n_);  // [m] of samples in b's frame; of feet still sought
+  std::vector<Index> sought(static_cast<size_t>(n_));
+  std::iota(sought.begin(), sought.end(), Index{0});
+  for (Index k = 0; k < n_; ++k) {
+    near_.x.col(k) = at_a_.state->c + Q_a_ * (contact_.samples.X.col(reach_[k]) + u.segment<3>(3 * k));
+    target.col(k) = Q_b_.transpose() * (near_.x.col(k) - at_b_.state->c);
+    near_.Y.col(k) = feet_.col(reach_[k]);
   }
-  if (near.Y != within_box(near.Y, most_scaled))
-    throw std::runtime_error(
-        "two bodies are close farther from where they first touched than the modes of the one that is met are known");
-  const auto at = map_->at(near.Y);
-  near.y = at.x;
-  const Vector3d n = at.F.inverse().transpose() * signed_distance(surface_.shape, near.Y).gradient;
-  const Vector3d normal = n.normalized();
-  near.gap = normal.dot(y - at.x);
-  near.n = Q_b_ * normal;
-}
-
-// Lower bounds of what is far: of both at rest less all that strains can do; else by distances of the shape at rest
-// from where the points would be then.
-VectorXd BodyPair::gaps() const {
-  VectorXd all(contact_.samples.w.size());
-  const auto most = [](const auto& of, const BodyState& state) {
-    return of.largest_q.dot(state.q.cwiseAbs()) + of.largest_s.dot(state.s.cwiseAbs());
-  };
-  const double loose = most(*tables_, *at_a_.state) + most(surface_, *at_b_.state);
-  const Eigen::Matrix3d turn = Q_b_.transpose() * Q_a_;
-  const Vector3d apart = Q_b_.transpose() * (at_a_.state->c - at_b_.state->c);
-  for (Index i = 0; i < all.size(); ++i) {
-    const double at_rest = signed_distance_value(surface_.shape, apart + turn * contact_.samples.X.col(i));
-    if (at_rest > far * loose) {
-      all[i] = at_rest - loose;
-      continue;
+  for (int round = 0; round < n_rounds && !sought.empty(); ++round) {
+    Y.resize(3, std::ssize(sought));
+    for (Index j = 0; j < Y.cols(); ++j) Y.col(j) = near_.Y.col(sought[static_cast<size_t>(j)]);
+    const auto at = map_->points(Y);
+    size_t n_left = 0;
+    for (Index j = 0; j < Y.cols(); ++j) {
+      const Index k = sought[static_cast<size_t>(j)];
+      const Eigen::Matrix3d F = at.F.middleCols<3>(3 * j);
+      near_.Y.col(k) = projected(surface_.shape, Y.col(j) + F.inverse() * (target.col(k) - at.x.col(j)));
+      if (!((near_.Y.col(k) - Y.col(j)).squaredNorm() < still * still * surface_.radius * surface_.radius))
+        sought[n_left++] = k;
     }
-    const Vector3d u =
-        Phi_.middleCols(3 * i, 3).transpose() * at_a_.state->q + Psi_.middleCols(3 * i, 3).transpose() * at_a_.state->s;
-    const Vector3d x = at_a_.state->c + Q_a_ * (contact_.samples.X.col(i) + u);
-    const Vector3d y = Q_b_.transpose() * (x - at_b_.state->c);
-    const Vector3d Y = within_box(projected(surface_.shape, y), 1);
-    const double d = signed_distance_value(surface_.shape, y - map_->displacement(Y));
-    all[i] = d > 0 ? surely * d : d / surely;
+    sought.resize(n_left);
   }
-  return all;
+  const auto at = map_->points(near_.Y.leftCols(n_));
+  near_.y.leftCols(n_) = at.x;
+  for (Index k = 0; k < n_; ++k) {
+    const Vector3d Y_k = near_.Y.col(k);
+    if (Y_k != within_box(Y_k, most_scaled))
+      throw std::runtime_error(
+          "two bodies are close farther from where they first touched than the modes of the one that is met are known");
+    feet_.col(reach_[k]) = Y_k;
+    const Eigen::Matrix3d F = at.F.middleCols<3>(3 * k);
+    const Vector3d normal = (F.inverse().transpose() * signed_distance(surface_.shape, Y_k).gradient).normalized();
+    near_.gap[k] = normal.dot(target.col(k) - at.x.col(k));
+    near_.n.col(k) = Q_b_ * normal;
+    if (near_.gap_by_s.rows() == 0) continue;
+    near_.gap_by_s.col(k).head(a_.n_static()).noalias() = near_.Psi.middleCols<3>(3 * k) * (turn_.transpose() * normal);
+    near_.gap_by_s.col(k).tail(b_.n_static()).noalias() = -near_.Psi_b.middleCols<3>(3 * k) * normal;
+  }
 }
 
-double BodyPair::least_gap() const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Near& near : near_) least = std::min(least, near.gap);
-  return least;
+void BodyPair::find_rates(const PolynomialMap& rate) {
+  const VectorXd u = near_.Phi.leftCols(3 * n_).transpose() * *at_a_.rate;
+  for (Index k = 0; k < n_; ++k) {
+    const Vector3d own =
+                       at_a_.state->v + at_a_.Omega.cross(near_.x.col(k) - at_a_.state->c) + Q_a_ * u.segment<3>(3 * k),
+                   foot = at_b_.state->v + at_b_.Omega.cross(Q_b_ * near_.y.col(k)) +
+                          Q_b_ * rate.displacement(near_.Y.col(k));
+    near_.v.col(k) = own - foot;
+  }
 }
 
-double BodyPair::shaking(const Moving& a, const Moving& b) const {
+Vector3d BodyPair::in_partner(Index i) const {
+  const BodyState &a = *at_a_.state, &b = *at_b_.state;
+  Vector3d X = contact_.samples.X.col(i);
+  X.noalias() += tables_->Phi.middleCols<3>(3 * i).transpose().lazyProduct(a.q);
+  if (a.s.size() > 0) X.noalias() += tables_->Psi.middleCols<3>(3 * i).transpose().lazyProduct(a.s);
+  Vector3d y = apart_ + turn_ * X;
+  if (b.s.size() > 0) y.noalias() -= surface_.Psi.middleCols<3>(3 * i).transpose().lazyProduct(b.s);
+  return y;
+}
+
+// Of distances of the shape at rest from where the points would be then.
+double BodyPair::bound(const SampleTree::Extent& of) const {
+  const Vector3d y = in_partner(of.sample), Y = within_box(projected(surface_.shape, y), 1);
+  const Vector3d Z = y - map_->displacement(Y);
+  double d;
+  if (of.radius == 0) {
+    d = signed_distance_value(surface_.shape, Z);
+  } else {
+    const Distance at = signed_distance(surface_.shape, Z);
+    d = at.value + of.along(turn_.transpose() * at.gradient) - of.spread - strain_ * (of.radius + of.spread);
+  }
+  return d > 0 ? surely * d : d / surely;
+}
+
+Neighbours BodyPair::neighbours(const BodyState& a, const BodyState& b, const ListSize& size) {
+  if (!is_finite(a) || !is_finite(b)) return {{}, {}, -1, 0};  // nothing presses in a state that is none
+  VectorXd sizes(a.q.size() + a.s.size() + b.s.size());
+  sizes << a.q.cwiseAbs(), a.s.cwiseAbs(), b.s.cwiseAbs();
+  strain_ = std::min(1 - surely, map_->lipschitz_bound());
+  return tree_->nearest([this](const SampleTree::Extent& of) { return bound(of); }, sizes, size);
+}
+
+BodyPair::Nearest BodyPair::nearest(const BodyState& a, const BodyState& b) {
+  at_a_.state = &a, at_b_.state = &b;
+  meet(a, b);
+  const Neighbours one = neighbours(a, b, shortest());
+  n_ = 0;
+  if (one.order.empty()) return {std::numeric_limits<double>::quiet_NaN(), 0, Vector3d::Zero(), Vector3d::Zero()};
+  const Index i = one.order.front();
+  const Vector3d y = in_partner(i), Y = within_box(projected(surface_.shape, y), 1);
+  return {one.gap.front(), i, Q_b_ * signed_distance(surface_.shape, y - map_->displacement(Y)).gradient, Y};
+}
+
+double BodyPair::shaking(const Nearest& at, const Moving& a, const Moving& b, double aside) const {
   const auto swing = [](const FloatingBody& body, const BodyState& state, const VectorXd& rate) {
     VectorXd all(body.n_modes());
     for (Index k = 0; k < all.size(); ++k) {
@@ -134,103 +190,24 @@ double BodyPair::shaking(const Moving& a, const Moving& b) const {
     }
     return all;
   };
-  const Index i = reach_[0];
   const VectorXd of_a = swing(a_, *a.state, *a.rate), of_b = swing(b_, *b.state, *b.rate);
-  const MatrixXd Phi_b = surface_.geometry.at(feet_.col(i));
-  return 3 * ((Phi_.middleCols(3 * i, 3).transpose() * of_a.asDiagonal()).norm() + (Phi_b * of_b.asDiagonal()).norm());
+  const Eigen::Matrix3d normal = at.normal * at.normal.transpose(),
+                        weighted = normal + aside * (Eigen::Matrix3d::Identity() - normal);
+  const Matrix3Xd by_a = weighted * Q_a_ * tables_->Phi.middleCols<3>(3 * at.sample).transpose() * of_a.asDiagonal(),
+                  by_b = weighted * Q_b_ * surface_.geometry.at(at.Y) * of_b.asDiagonal();
+  const auto most = [](const Matrix3Xd& by_mode) {  // 3 rms; no more than all modes at once
+    return std::min(3 * by_mode.norm(), by_mode.colwise().norm().sum());
+  };
+  return most(by_a) + most(by_b);
 }
 
-Eigen::Matrix<double, 3, Eigen::Dynamic> BodyPair::rows(Index i) const {
-  Eigen::Matrix<double, 3, Eigen::Dynamic> all(3, a_.n_static() + b_.n_static());
-  all.leftCols(a_.n_static()).noalias() = Q_a_ * Psi_.middleCols(3 * i, 3).transpose();
-  all.rightCols(b_.n_static()).noalias() = -Q_b_ * Psi_b_.middleCols(3 * i, 3).transpose();
-  return all;
-}
-
-std::optional<BodyPair::Pressing> BodyPair::press(Index k, const VectorXd& s) const {
-  const Near& near = near_[static_cast<size_t>(k)];
-  const Index i = reach_[k], n_a = a_.n_static();
-  Vector3d moved = Vector3d::Zero(), own = Vector3d::Zero();
-  if (s.size() > 0) {
-    own = Q_a_ * (Psi_.middleCols(3 * i, 3).transpose() * s.head(n_a));
-    moved = own - Q_b_ * (Psi_b_.middleCols(3 * i, 3).transpose() * s.tail(s.size() - n_a));
-  }
-  const double value = near.gap + near.n.dot(moved);
-  if (!(value < 0)) return Pressing{value, near.x + own, {}};
-  return Pressing{value, near.x + own,
-                  contact_traction(contact_.law, {value, near.n, Eigen::Matrix3d::Zero()}, near.v)};
-}
-
-void BodyPair::push(const VectorXd& s, VectorXd& f_s, MatrixXd& H) {
-  for (Index k = 0; k < n_; ++k) {
-    const Index i = reach_[k];
-    const auto pressing = press(k, s);
-    if (!(pressing->value < 0)) continue;
-    const auto R = rows(i);
-    const double w = contact_.samples.w[i];
-    f_s.noalias() += w * (R.transpose() * pressing->t.t);
-    H.noalias() -= w * (R.transpose() * pressing->t.by_x * R);
-  }
+double BodyPair::least_gap() const {
+  return n_ == 0 ? std::numeric_limits<double>::infinity() : near_.gap.head(n_).minCoeff();
 }
 
 bool BodyPair::covers(const VectorXd& s) {
   const VectorXd s_b = s.tail(b_.n_static());
   return reach_.covers(s.head(a_.n_static()), &s_b);
-}
-
-void BodyPair::act(const VectorXd& s, ContactLoad& a, ContactLoad& b) {
-  std::vector<Index> pressed;
-  std::vector<Vector3d> forces;
-  for (Index k = 0; k < n_; ++k) {
-    const Index i = reach_[k];
-    const Near& near = near_[static_cast<size_t>(k)];
-    const auto [value, x, t] = *press(k, s);
-    a.least_gap = std::min(a.least_gap, value);
-    if (!(value < 0)) continue;
-    const double w = contact_.samples.w[i];
-    const Vector3d f = w * t.t;
-    a.force += f;
-    a.torque += (x - at_a_.state->c).cross(f);
-    a.modal.noalias() += Phi_.middleCols(3 * i, 3) * (Q_a_.transpose() * f);
-    a.stored += w * stored_energy(contact_.law, value);
-    a.dissipation -= f.dot(near.v) - w * layer(contact_.law, value).pressure * near.n.dot(near.v);
-    b.force -= f;
-    b.torque -= (x - at_b_.state->c).cross(f);
-    pressed.push_back(k);
-    forces.push_back(-(Q_b_.transpose() * f));
-  }
-  b.least_gap = std::min(b.least_gap, a.least_gap);
-  a.n_visited += n_;
-  reach_.pressed(std::ssize(pressed));
-  if (pressed.empty()) return;
-  Matrix3Xd Y(3, std::ssize(pressed)), f(3, std::ssize(pressed));
-  for (size_t k = 0; k < pressed.size(); ++k) {
-    Y.col(static_cast<Index>(k)) = near_[static_cast<size_t>(pressed[k])].Y;
-    f.col(static_cast<Index>(k)) = forces[k];
-  }
-  const MatrixXd moments = f * surface_.geometry.monomials().values(Y);  // 3 x monomials
-  b.modal.noalias() += surface_.geometry.coefficients().transpose() * moments.reshaped();
-}
-
-void BodyPair::stiffen(const VectorXd& s, double rate, MatrixXd& K) {
-  const Index f_a = a_.free ? 6 : 0, f_b = b_.free ? 6 : 0, r_a = a_.n_modes(), r_b = b_.n_modes();
-  MatrixXd G(3, K.rows());
-  for (Index k = 0; k < n_; ++k) {
-    const Index i = reach_[k];
-    const Near& near = near_[static_cast<size_t>(k)];
-    const auto [value, x, t] = *press(k, s);
-    if (!(value < 0)) continue;
-    if (a_.free) G.leftCols<3>().setIdentity(), G.middleCols<3>(3) = turning(x - at_a_.state->c);
-    G.middleCols(f_a, r_a) = Q_a_ * Phi_.middleCols(3 * i, 3).transpose();
-    const Index at_b = f_a + r_a;
-    if (b_.free)
-      G.middleCols<3>(at_b) = -Eigen::Matrix3d::Identity(), G.middleCols<3>(at_b + 3) = -turning(Q_b_ * near.y);
-    G.middleCols(at_b + f_b, r_b) = -Q_b_ * surface_.geometry.at(near.Y);
-    G.rightCols(s.size()) = rows(i);
-    MatrixXd G_rate = G;  // that of static shapes is left out
-    G_rate.rightCols(s.size()).setZero();
-    K.noalias() -= contact_.samples.w[i] * G.transpose() * (t.by_x * G + rate * t.by_v * G_rate);
-  }
 }
 
 }  // namespace mb

@@ -28,11 +28,11 @@ namespace {
 // u in the body's axes becomes x - X, or is turned to the world's where the body is held.
 void place(const FloatingBasis& basis, const BodyState& state, Eigen::Ref<VectorXd> u) {
   const Eigen::Matrix3d Q = state.Q.toRotationMatrix();
-  auto at = u.reshaped(3, basis.points.cols());
-  if (basis.body.free)
-    at = (Q * (basis.points + at.matrix())).colwise() + state.c - basis.points;
-  else
-    at = (Q * at.matrix()).eval();
+  Eigen::Map<Matrix3Xd> at(u.data(), 3, basis.points.cols());
+  for (Index i = 0; i < at.cols(); ++i) {  // point by point: nothing is allocated
+    const Vector3d X = basis.points.col(i), own = at.col(i);
+    at.col(i) = basis.body.free ? Vector3d(Q * (X + own) + state.c - X) : Vector3d(Q * own);
+  }
 }
 
 // The frame's alone: deformation carries none.

@@ -13,6 +13,7 @@
 #include "modal/bases/eigenmodes.h"
 #include "modal/contact/contact_shapes.h"
 #include "modal/contact/sample_tables.h"
+#include "modal/contact/sample_tree.h"
 #include "modal/contact/surface_polynomials.h"
 #include "modal/frame/frame_loads.h"
 #include "modal/methods/projection.h"
@@ -91,10 +92,12 @@ std::vector<SampledContact> sampled_contacts(const Model& model, const FloatingB
                                                  : samples(body, full, meeting, bases[i].geometry.basis, Psi, finest),
                    surface, law_of(pair, meeting.size)});
     all.back().tables = std::make_shared<const SampleTables>(sample_tables(all.back().samples));
-    for (const FloatingBasis& other : bases)
-      if (scene.bodies[other.place].name == pair.obstacle)
-        all.back().partner =
-            surface_of_partner(model, body, meeting, all.back().samples.X, other.place, shapes[other.place]);
+    for (const FloatingBasis& other : bases) {
+      if (scene.bodies[other.place].name != pair.obstacle) continue;
+      all.back().partner =
+          surface_of_partner(model, body, meeting, all.back().samples.X, other.place, shapes[other.place]);
+      all.back().tree = std::make_shared<const SampleTree>(sample_tree(all.back()));
+    }
   }
   return all;
 }

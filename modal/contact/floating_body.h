@@ -40,6 +40,7 @@ struct PartnerSurface {
 };
 
 struct SampleTables;  // sample_tables.h
+class SampleTree;     // sample_tree.h
 struct SpinCoupling;  // spin.h
 struct FrameLoads;    // frame_loads.h
 
@@ -49,6 +50,7 @@ struct SampledContact {
   PenaltyLaw law;
   std::shared_ptr<const SampleTables> tables = nullptr;     // of these samples; none: each run makes its own
   std::shared_ptr<const PartnerSurface> partner = nullptr;  // none: an obstacle
+  std::shared_ptr<const SampleTree> tree = nullptr;         // where there is a partner; none: each run makes its own
 };
 
 struct FloatingBody {

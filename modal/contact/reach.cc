@@ -43,41 +43,53 @@ double Wander::operator()(const BodyState& state) const {
 }
 
 Reach::Reach(const SampledContact& contact)
-    : n_samples_(contact.samples.X.cols()),
-      own_(of_samples(contact)),
-      partner_(of_partner(contact)),
-      order_(static_cast<size_t>(n_samples_)) {
-  std::iota(order_.begin(), order_.end(), Index{0});
+    : n_samples_(contact.samples.X.cols()), own_(of_samples(contact)), partner_(of_partner(contact)) {
+  list_.beyond = -1;
+}
+
+bool ListSize::enough(const Neighbours& list) const {
+  const auto n = std::ssize(list.order);
+  if (n < n_least) return false;
+  return n >= n_spare * (std::ranges::upper_bound(list.gap, margin) - list.gap.begin());
 }
 
 bool Reach::spent(const BodyState& state, const BodyState* partner) const {
-  return beyond_ < 0 || in_vain_ > n_samples_ || !(moved(state, partner) + margin_ < beyond_);
+  return list_.beyond < 0 || in_vain_ > list_.n_looked || !(moved(state, partner) + margin_ < list_.beyond);
 }
 
-void Reach::renew(const BodyState& state, const BodyState* partner, const VectorXd& gaps) {
+ListSize Reach::size() const { return {n_least, n_spare, margin_}; }
+
+Neighbours Reach::nearest(const VectorXd& gaps) {
+  Neighbours list{std::move(list_.order), std::move(list_.gap), -1, n_samples_};
+  list.gap.clear();
+  if (!std::isfinite(gaps.sum())) return list;  // nothing presses in a state that is none
+  list.order.resize(static_cast<size_t>(n_samples_));
+  std::iota(list.order.begin(), list.order.end(), Index{0});
+  const auto by_gap = [&](Index i, Index j) { return gaps[i] < gaps[j]; };
+  const auto n = std::min(n_samples_, std::max(n_least, n_spare * (gaps.array() <= margin_).count()));
+  if (n < n_samples_) std::ranges::nth_element(list.order, list.order.begin() + n, by_gap);
+  std::sort(list.order.begin(), list.order.begin() + n, by_gap);
+  list.beyond = n < n_samples_ ? gaps[list.order[static_cast<size_t>(n)]] : std::numeric_limits<double>::infinity();
+  for (Index k = 0; k < n; ++k) list.gap.push_back(gaps[list.order[static_cast<size_t>(k)]]);
+  return list;
+}
+
+void Reach::renew(const BodyState& state, const BodyState* partner, Neighbours list) {
   own_.look(state);
   if (partner) partner_->look(*partner);
   in_vain_ = 0;
   ++n_lists_;
-  beyond_ = -1;
-  gap_.clear();
-  if (!std::isfinite(gaps.sum())) return;  // nothing presses in a state that is none
-  const auto by_gap = [&](Index i, Index j) { return gaps[i] < gaps[j]; };
-  const auto n = std::min(n_samples_, std::max(n_least, n_spare * (gaps.array() <= margin_).count()));
-  if (n < n_samples_) std::ranges::nth_element(order_, order_.begin() + n, by_gap);
-  std::sort(order_.begin(), order_.begin() + n, by_gap);
-  beyond_ = n < n_samples_ ? gaps[order_[static_cast<size_t>(n)]] : std::numeric_limits<double>::infinity();
-  for (Index k = 0; k < n; ++k) gap_.push_back(gaps[order_[static_cast<size_t>(k)]]);
+  list_ = std::move(list);
 }
 
 Index Reach::count(const BodyState& state, const BodyState* partner) {
-  n_ = std::ranges::upper_bound(gap_, moved(state, partner) + margin_) - gap_.begin();
+  n_ = std::ranges::upper_bound(list_.gap, moved(state, partner) + margin_) - list_.gap.begin();
   return n_;
 }
 
 double Reach::beyond(const BodyState& state, const BodyState* partner) const {
   const auto n = static_cast<size_t>(n_);
-  return (n < gap_.size() ? gap_[n] : beyond_) - moved(state, partner);
+  return (n < list_.gap.size() ? list_.gap[n] : list_.beyond) - moved(state, partner);
 }
 
 bool Reach::covers(const VectorXd& s, const VectorXd* partner_s) {
