@@ -28,6 +28,7 @@ System at_rest(const System& reduced) {
   system.v0.setZero();
   system.F.resize(system.M.rows(), 0);
   system.s.clear();
+  system.follows.clear();
   return system;
 }
 

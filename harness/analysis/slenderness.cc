@@ -75,7 +75,7 @@ class Bar {
   // The lowest n modes and the static response of all others.
   Trajectory in_modes(int n, Index load) const {
     const Modes kept = leading(modes_, n);
-    return answer(kept, residual_flexibility(system(), kept, at_rest_), load);
+    return answer(kept, residual_flexibility(kept, system().F, at_rest_), load);
   }
   Modes polynomials(int degree) const {
     const FullModel& full = *model_.bodies.front().full;

@@ -60,6 +60,7 @@ System let_go(const System& system, const VectorXd& phi) {
   alone.stored_energy = nullptr;  // about rest
   alone.F.resize(system.M.rows(), 0);
   alone.s.clear();
+  alone.follows.clear();
   alone.u0 = phi;
   alone.v0 = VectorXd::Zero(phi.size());
   return alone;

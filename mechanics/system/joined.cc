@@ -83,9 +83,11 @@ System joined(const std::vector<System>& systems) {
     all.lumped_mass = diagonal(systems, [](const System& s) { return s.lumped_mass; });
   all.R = staircase(systems, [](const System& s) { return s.R; });
   all.F = staircase(systems, [](const System& s) { return s.F; });
+  const bool turning = std::ranges::any_of(systems, [](const System& s) { return !s.follows.empty(); });
   for (const System& s : systems) {
     all.s.insert(all.s.end(), s.s.begin(), s.s.end());
-    for (size_t l = 0; l < s.s.size(); ++l) all.follows.push_back(!s.follows.empty() && s.follows[l]);
+    if (turning) all.follows.insert(all.follows.end(), s.follows.begin(), s.follows.end());
+    if (turning) all.follows.resize(all.s.size(), false);
   }
   all.u0 = stacked(systems, [](const System& s) { return s.u0; });
   all.v0 = stacked(systems, [](const System& s) { return s.v0; });

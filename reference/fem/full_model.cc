@@ -141,19 +141,19 @@ class DealiiModel final : public FullModel {
       for (const Traction& t : load.tractions)
         if (t.body == body.name) F.col(l) += fem::patch_load(mesh_, t.patch, t.traction, t.pressure);
       system_.s.push_back(load.history);
-      system_.follows.push_back(load.follows);
     }
     if (drive) {
       F.col(n_loads) = -(M_full * fem::translation(mesh_, drive->direction));
       system_.s.push_back(drive->acceleration);
-      system_.follows.push_back(false);
     }
     if (weighs) {
       F.rightCols(1) = M_full * fem::translation(mesh_, gravity);
       system_.s.push_back(Step{});
-      system_.follows.push_back(false);
     }
     system_.F = supports_.T.transpose() * F;
+    if (std::ranges::none_of(scene.loads, &Load::follows)) return;
+    for (const Load& load : scene.loads) system_.follows.push_back(load.follows);
+    system_.follows.resize(system_.s.size(), false);
   }
 
   fem::Discretisation mesh_;
