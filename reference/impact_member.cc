@@ -109,7 +109,9 @@ double ImpactMember::energy_at_start() const {
 
 // P = sum (M v)_i,  L = sum x_i x (M v)_i over the nodes: shapes sum to one, and carry rotations as they carry places.
 MatrixXd ImpactMember::momentum(const MatrixXd& u, const MatrixXd& v, const VectorXd& t) const {
-  const Matrix3Xd X = full_->places().reshaped(3, n() / 3);
+  const VectorXd places = full_->places();
+  if (places.size() != n()) return {};  // unknowns of a basis
+  const Matrix3Xd X = places.reshaped(3, n() / 3);
   const Eigen::Matrix3d Q = body_->pose.orientation.toRotationMatrix();
   MatrixXd all(6, t.size());
   for (Index k = 0; k < t.size(); ++k) {

@@ -48,6 +48,7 @@ class ImpactMember {
   VectorXd energy(const MatrixXd& u, const MatrixXd& v) const;
   double energy_at_start() const;  // [J] kinetic, of the body as the scene states it
   // 6 x n_t of a free body, as BodyTrajectory has it; before the joint start that of rigid flight, whatever v there.
+  // 0 columns of a body in a basis, whose unknowns are at no places.
   MatrixXd momentum(const MatrixXd& u, const MatrixXd& v, const VectorXd& t) const;
 
   // Where it may touch, in the world as at the joint start, with columns from `first` on of n_all.

@@ -51,6 +51,7 @@ class BasisModel final : public FullModel {
   VectorXd translation(const Vector3d& direction) const override {
     return V_.transpose() * (full_->system().M * full_->translation(direction)) / mass_;
   }
+  VectorXd places() const override { return {}; }  // its unknowns have none: no momentum is looked for
   Index n_cells() const override { return full_->n_cells(); }
   double mesh_volume() const override { return full_->mesh_volume(); }
 
