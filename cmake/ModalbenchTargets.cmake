@@ -3,7 +3,6 @@
 
 set(MODALBENCH_SANITIZE "" CACHE STRING "Sanitizers to compile with: address, undefined (comma-separated)")
 option(MODALBENCH_NATIVE "Compile for this machine's processor (-march=native)" OFF)
-option(MODALBENCH_AVX512 "With it for AVX-512, too, which valgrind does not know: nothing is counted then" OFF)
 
 add_library(mb_options INTERFACE)
 target_include_directories(mb_options INTERFACE
@@ -12,11 +11,6 @@ target_include_directories(mb_options INTERFACE
 target_compile_features(mb_options INTERFACE cxx_std_20)
 if(MODALBENCH_NATIVE)   # public: Eigen's alignment, hence the layout of its types, follows from the instruction set
   target_compile_options(mb_options INTERFACE -march=native)
-  include(CheckCXXCompilerFlag)
-  check_cxx_compiler_flag(-mno-avx512f MODALBENCH_KNOWS_AVX512)
-  if(MODALBENCH_KNOWS_AVX512 AND NOT MODALBENCH_AVX512)   # `modalbench count` runs the program that is timed
-    target_compile_options(mb_options INTERFACE -mno-avx512f)
-  endif()
 endif()
 
 # Warnings are for our own code: never exported, third-party headers are SYSTEM. What is turned off are false alarms of

@@ -75,7 +75,8 @@ std::string reason(int code, double at_most) {
     case no_valgrind:
       return "valgrind is not installed";
     case 128 + SIGILL:
-      return "valgrind does not know an instruction of this build (AVX-512)";
+      return "valgrind does not know an instruction of this build (AVX); the portable one, preset 'release', can be "
+             "counted";
     case 128 + SIGKILL:
       return fmt::format("valgrind had not finished after {:g} s", at_most);
     default:
