@@ -12,7 +12,7 @@ std::vector<Column> contender_columns() {
 
 std::vector<Cell> contender_cells(const Contender& contender, int modes_used, long n_unknowns, Theory theory) {
   const Settings& settings = contender.settings;
-  return {text_cell(contender.method),
+  return {text_cell(describe_method(contender)),
           text_cell(describe_integrator(contender)),
           text_cell(describe_mesh(contender.resolution, theory)),
           takes_modes(contender) ? count_cell(settings.modes) : text_cell(""),

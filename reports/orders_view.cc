@@ -11,7 +11,9 @@ namespace mb {
 namespace {
 
 using Family = std::tuple<std::string, std::string, std::string, std::string>;  // case, profile, method, integrator
-Family family(const Run& run) { return {run.case_name, run.profile, run.contender.method, run.contender.integrator}; }
+Family family(const Run& run) {
+  return {run.case_name, run.profile, describe_method(run.contender), run.contender.integrator};
+}
 
 std::map<Family, double> finest_accuracy(const std::vector<Run>& runs) {
   std::map<Family, double> finest;
@@ -31,7 +33,9 @@ double h(const Run& run, Refinement refinement) {
 }
 
 using Basis = std::tuple<std::string, std::string, std::string, int>;  // case, profile, method, r
-Basis basis(const Run& run) { return {run.case_name, run.profile, run.contender.method, run.contender.settings.modes}; }
+Basis basis(const Run& run) {
+  return {run.case_name, run.profile, describe_method(run.contender), run.contender.settings.modes};
+}
 
 std::map<Basis, const Run*> in_closed_form(const std::vector<Run>& runs) {
   std::map<Basis, const Run*> found;

@@ -156,11 +156,13 @@ std::string describe_family(const Contender& contender, Theory theory) {
   const std::string mesh = describe_mesh(contender.resolution, theory);
   if (contender.method == "full-order") return mesh + ", " + describe_integrator(contender);
   if (!is_reduced(contender)) return contender.method + " " + mesh + ", " + describe_integrator(contender);
+  return joined({describe_method(contender), contender.integrator == "exact" ? "" : contender.integrator}, ", ");
+}
+
+std::string describe_method(const Contender& contender) {
   const RotationCoupling rotation = contender.settings.rotation;
-  return joined(
-      {contender.method, rotation == RotationCoupling::rigid ? "" : std::string("rotation ") + to_string(rotation),
-       contender.integrator == "exact" ? "" : contender.integrator},
-      ", ");
+  return contender.method +
+         (rotation == RotationCoupling::rigid ? "" : std::string(", rotation ") + to_string(rotation));
 }
 
 std::string describe_integrator(const Contender& contender) {

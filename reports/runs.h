@@ -77,6 +77,7 @@ std::string describe_series(const Contender& contender, Theory theory = Theory::
 std::string describe_accuracy(const Contender& contender);
 std::string describe_setting(const Contender& contender);  // "r = 8, step 0.00125 s", "rtol 1e-06", ""
 // "newmark"; instead of "exact": "closed form", or "closed form, steps in contact"
+std::string describe_method(const Contender& contender);  // "eigenmodes", "eigenmodes, rotation coupled"
 std::string describe_integrator(const Contender& contender);
 
 }  // namespace mb
