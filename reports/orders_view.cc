@@ -110,7 +110,7 @@ std::vector<Cell> row(const Curve& curve) {
           text_cell(curve.measure.subject),
           text_cell(curve.measure.metric),
           text_cell(varied(curve.refinement).name),
-          text_cell(c.method),
+          text_cell(describe_method(c)),
           text_cell(describe_integrator(c)),
           text_cell(size),
           none ? text_cell("none") : Cell{.text = format_number(o.order), .value = o.order},
