@@ -18,7 +18,7 @@ endif()
 add_library(mb_warnings INTERFACE)
 target_compile_options(mb_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Wno-sign-conversion
   $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-restrict;-Wno-array-bounds>
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-stringop-overread>)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-use-after-free>)
 if(NOT MODALBENCH_SANITIZE)
   target_compile_options(mb_warnings INTERFACE -Werror)
 endif()
