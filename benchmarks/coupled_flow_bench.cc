@@ -1,8 +1,8 @@
-// One step of rotation and r modes that are coupled (modal/contact/coupled_flow.h), beside the flops of its products
+// One step of rotation and r modes that are coupled (modal/frame/coupled_flow.h), beside the flops of its products
 // with matrices: five evaluations of twelve r x r.
 #include <benchmark/benchmark.h>
 
-#include "modal/contact/coupled_flow.h"
+#include "modal/frame/coupled_flow.h"
 
 namespace mb {
 namespace {

@@ -75,6 +75,7 @@ Vocabulary Catalogue::vocabulary() const {
     names.analyses.push_back(analysis.name);
     if (analysis.scenes == Analysis::Scenes::without_contact) names.analyses_of_loads.push_back(analysis.name);
     if (analysis.scenes == Analysis::Scenes::with_contact) names.analyses_of_contact.push_back(analysis.name);
+    if (analysis.theories) names.analyses_of_theories.push_back(analysis.name);
   }
   return names;
 }

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -48,14 +49,11 @@ class ScratchFolder {
 
 constexpr int no_valgrind = 125;  // itself it says 127 of a program that is not there
 
-// Never returns.
-[[noreturn]] void become(const std::vector<std::string>& words) {
+// Of a child: nothing is allocated there, as another thread may have held the allocator's lock. Never returns.
+[[noreturn]] void become(char* const* argv) {
   const int nowhere = ::open("/dev/null", O_RDWR);
   for (const int stream : {0, 1, 2}) ::dup2(nowhere, stream);
-  std::vector<char*> argv;
-  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
-  ::execvp(argv[0], argv.data());
+  ::execvp(argv[0], argv);
   ::_exit(no_valgrind);
 }
 
@@ -101,9 +99,12 @@ InstructionCounts count_instructions(const fs::path& program, const std::vector<
   std::vector<std::string> line{"valgrind", "--tool=callgrind", "--instr-atstart=no",
                                 "--callgrind-out-file=" + (scratch.path() / "out").string(), program.string()};
   line.insert(line.end(), words.begin(), words.end());
+  std::vector<char*> argv;
+  for (std::string& word : line) argv.push_back(word.data());
+  argv.push_back(nullptr);
   const pid_t child = ::fork();
   if (child < 0) return {{}, "no process can be made"};
-  if (child == 0) become(line);
+  if (child == 0) become(argv.data());
   const int code = ended(child, at_most);
   InstructionCounts counts{read_dumps(scratch.path()), code == 0 ? "" : reason(code, at_most)};
   if (code == 0 && counts.by_name.empty()) counts.missing = "the program was built without valgrind's headers";
@@ -118,7 +119,10 @@ std::map<std::string, double> read_dumps(const fs::path& folder) {
     std::string name;
     for (std::string line; std::getline(file, line);) {
       if (line.starts_with(name_key)) name = line.substr(name_key.size());
-      if (line.starts_with(total_key) && !name.empty()) all[name] = std::stod(line.substr(total_key.size()));
+      double total = 0;  // a dump that was cut off has none
+      if (!line.starts_with(total_key) || name.empty()) continue;
+      const char* const from = line.data() + total_key.size();
+      if (std::from_chars(from, line.data() + line.size(), total).ec == std::errc()) all[name] = total;
     }
   }
   return all;

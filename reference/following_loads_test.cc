@@ -56,7 +56,7 @@ double angle_of(const System& system, const VectorXd& u) {
   return std::atan2(Q(1, 0), Q(0, 0));
 }
 
-// Nearly rigid: what bends off is F L^3/E I/50 of the length, 1e-4.
+// Nearly rigid: F L^3/(E I), by which it would bend if held, is 3e-5 m.
 TEST(FollowingLoads, MoveAStiffBodyAsARigidOne) {
   const Thrust thrust(true);
   const System& system = thrust.model->system();

@@ -62,9 +62,8 @@ TEST(CheckResults, AreOfTheRotationAskedFor) {
     contender.settings.rotation = rotation;
     return contender;
   };
-  const std::vector<Record> records{
-      record("displacement-error", 0.01, 0, coupled(RotationCoupling::coupled)),
-      record("displacement-error", 30, 0, coupled(RotationCoupling::unstiffened))};
+  const std::vector<Record> records{record("displacement-error", 0.01, 0, coupled(RotationCoupling::coupled)),
+                                    record("displacement-error", 30, 0, coupled(RotationCoupling::unstiffened))};
   Check check = at_most(0.02);
   EXPECT_FALSE(result_of(check, records).holds);
   check.rotation = "coupled";

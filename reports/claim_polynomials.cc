@@ -104,12 +104,10 @@ void rule_on_polynomials(Claim& claim, const Evaluation& evaluation) {
   claim.evidence = "polynomial-modes";
   claim.criterion =
       "displacement error, in contact also peak force and impulse, of method quadratic (24 functions) against exact, "
-      "or "
-      "finer where no closed form is known, the largest of them at most 10 %: claimed of compact bodies, not of "
+      "or finer where no closed form is known, the largest of them at most 10 %: claimed of compact bodies, not of "
       "disparate ones, whose largest extent is more than 5 times the smallest. Compact bodies decide in contact where "
       "there are such, since bodies of a scene meet: where none of them is within 10 % the claim does not hold. Bars "
-      "of "
-      "slenderness 1 to 50 count as bodies under loads";
+      "of slenderness 1 to 50 count as bodies under loads";
   Instances all = of_scenes(evaluation, "quadratic");
   const Instances bars = over_slenderness(evaluation, 2);
   all.insert(all.end(), bars.begin(), bars.end());

@@ -154,6 +154,14 @@ TEST(FindingFigures, LabelsOfTheBudgetStandOnTwoLines) {
   EXPECT_THAT(to_line(specification), HasSubstr("split(datum.label, '\\\\n')"));
 }
 
+TEST(FindingFigures, LabelsOfTheBudgetNameBodiesWhereThereAreSeveral) {
+  Finding both = synthetic::budget("shear", "ball");
+  for (const auto& row : synthetic::budget("shear", "board").rows) both.rows.push_back(row);
+  const Json data = finding_figures(both)[0].specification["data"]["values"];
+  EXPECT_EQ(data[0]["contender"], "ball, static-correction, r = 4\ncentral-difference, step 0.001 s");
+  EXPECT_EQ(data[23]["contender"], "board, static-correction, r = 256\ncentral-difference, step 0.001 s");
+}
+
 TEST(FindingFigures, TheBudgetLeavesOutTheTotalAndWhatIsNotMeasured) {
   const Json data = finding_figures(synthetic::budget("shear"))[0].specification["data"]["values"];
   EXPECT_EQ(data.size(), 12u);  // four contenders, three parts

@@ -87,9 +87,10 @@ inline std::vector<Finding> aliasing(const std::string& case_name) {
   return {marks, claim};
 }
 
-inline Finding budget(const std::string& case_name) {
+inline Finding budget(const std::string& case_name, const std::string& body = "block") {
   Finding table = finding(case_name, "budget", "budget",
-                          {{"method", ""},
+                          {{"body", ""},
+                           {"method", ""},
                            {"modes r", ""},
                            {"integrator", ""},
                            {"setting", ""},
@@ -101,13 +102,13 @@ inline Finding budget(const std::string& case_name) {
     for (const auto& [part, size] :
          {std::pair("time stepping", 4e-3), std::pair("truncation", 0.3 / r), std::pair("discretisation", 2e-3)}) {
       table.rows.push_back(
-          {"static-correction", double(r), "central-difference", "step 0.001 s", part, size, 3 * size});
+          {body, "static-correction", double(r), "central-difference", "step 0.001 s", part, size, 3 * size});
       total = std::hypot(total, size);
     }
     table.rows.push_back(
-        {"static-correction", double(r), "central-difference", "step 0.001 s", "finite strain", nan, nan});
+        {body, "static-correction", double(r), "central-difference", "step 0.001 s", "finite strain", nan, nan});
     table.rows.push_back(
-        {"static-correction", double(r), "central-difference", "step 0.001 s", "total", total, 3 * total});
+        {body, "static-correction", double(r), "central-difference", "step 0.001 s", "total", total, 3 * total});
   }
   return table;
 }

@@ -23,7 +23,8 @@ inline Vocabulary vocabulary() {
            "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact", "flight-cost",
            "amplitude", "instructions", "slenderness"},
           {"aliasing", "frequency-response", "probe-extremes", "damping", "slenderness"},
-          {"contact-stiffness", "contact", "flight-cost", "amplitude", "instructions"}};
+          {"contact-stiffness", "contact", "flight-cost", "amplitude", "instructions"},
+          {"contact-stiffness"}};
 }
 
 inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }

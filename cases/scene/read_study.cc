@@ -1,6 +1,6 @@
 #include "cases/scene/read_study.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -92,14 +92,23 @@ std::vector<RotationCoupling> read_rotations(Section& section, const std::vector
   return all;
 }
 
+void check_theories(const std::vector<Located<std::string>>& names, const std::vector<BodyDraft>& bodies,
+                    const Vocabulary& vocabulary, Findings& findings) {
+  const auto plain = std::ranges::find_if(
+      bodies, [](const BodyDraft& body) { return body.theory.value_or(Theory::solid) != Theory::solid; });
+  if (plain == bodies.end()) return;
+  for (const auto& name : names) {
+    if (std::ranges::count(vocabulary.analyses_of_theories, name.value) > 0) continue;
+    findings.error(name.where,
+                   fmt::format("analysis '{}' is of solids: body '{}' is of theory '{}'", name.value,
+                               plain->name.value_or(""), to_string(*plain->theory)),
+                   fmt::format("of beams and plates there are: {}", fmt::join(vocabulary.analyses_of_theories, ", ")));
+  }
+}
+
 std::vector<std::string> read_analyses(Section& section, const Vocabulary& vocabulary,
                                        const std::vector<BodyDraft>& bodies) {
   if (!section.has("analyses")) return {};
-  for (const BodyDraft& body : bodies) {
-    if (body.theory.value_or(Theory::solid) == Theory::solid) continue;
-    section.findings().error(section.where_key("analyses"),
-                             "analyses of bodies of beam and plate theory are understood, but cannot be made yet");
-  }
   const auto names = read_unlike(section, "analyses", {vocabulary.analyses, "analysis", "analyses"});
   const std::optional<bool> contact = touch(bodies);
   if (names && contact) {
@@ -109,6 +118,7 @@ std::vector<std::string> read_analyses(Section& section, const Vocabulary& vocab
         section.findings().error(name.where, fmt::format("analysis '{}' is of scenes {} contact", name.value,
                                                          *contact ? "without" : "with"));
   }
+  if (names) check_theories(*names, bodies, vocabulary, section.findings());
   return values_of(names);
 }
 

@@ -99,6 +99,16 @@ TEST(ReadStudy, analyses_and_prose_are_kept) {
   EXPECT_TRUE(test::read(cylinder_text()).study.analyses.empty());
 }
 
+TEST(ReadStudy, analyses_of_beams_are_those_that_take_them) {
+  std::string text = with(test::content(test::cases_folder() / "timoshenko-1913.toml"), "[study]\n",
+                          "[study]\nanalyses = [\"contact-stiffness\"]\n");
+  EXPECT_EQ(problems_of_text(text), "");
+  text = with(text, "[\"contact-stiffness\"]", "[\"contact-stiffness\", \"budget\"]");
+  EXPECT_NE(problems_of_text(text).find("analysis 'budget' is of solids: body 'beam' is of theory 'euler-bernoulli'"),
+            std::string::npos)
+      << problems_of_text(text);
+}
+
 TEST(ReadProfile, replaces_what_it_states_and_nothing_else) {
   const std::string text = with_profile(R"(duration = 0.2
 resolution = { cylinder = { degree = 2, cells = [1, 2] } }

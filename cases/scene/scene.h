@@ -149,7 +149,7 @@ struct Stepping {
   std::vector<double> time_steps;           // [s]; one of the two is empty
   std::vector<double> relative_tolerances;  // [-]
 };
-// What a free body's spin does to its modes and they to it (modal/contact/spin.h): nothing, everything, or all but the
+// What a free body's spin does to its modes and they to it (modal/frame/spin.h): nothing, everything, or all but the
 // stiffening by stresses that rotation brings.
 enum class RotationCoupling { rigid, coupled, unstiffened };
 const char* to_string(RotationCoupling rotation);

@@ -25,6 +25,7 @@ struct Analysis {
   // Tables with analysis, name, title, note, columns, rows; who calls adds run, case, profile and provenance.
   std::vector<Finding> (*run)(const AnalysisContext& context);
   enum class Scenes { any, without_contact, with_contact } scenes = Scenes::any;  // for which it is made
+  bool theories = false;  // whether bodies of beam and plate theory have it, too
 };
 
 // The visible list: budget, step-limits, aliasing, frequency-response, mode-amplitudes, damping, frequencies,

@@ -10,8 +10,7 @@ const std::vector<Analysis>& analysis_catalogue() {
   static const std::vector<Analysis> all{
       {"budget",
        "which part of an answer's error is due to the step, to truncation, to the mesh, to contact on its surface and "
-       "to "
-       "finite strain",
+       "to finite strain",
        &error_budget},
       {"step-limits", "largest stable steps of explicit schemes, by formula, by bisection and by runs", &step_limits},
       {"aliasing", "what frames make of motion too fast for them, and what it takes to avoid it", &temporal_aliasing,
@@ -29,8 +28,11 @@ const std::vector<Analysis>& analysis_catalogue() {
       {"collision-cost", "cost of points against polygons, a tree of boxes over them and an analytic shape",
        &collision_cost},
       {"contact-forces", "errors of contact forces from vertices, quadratures and curvatures", &contact_forces},
-      {"contact-stiffness", "what halving and doubling the stiffness of the contact layer does", &contact_stiffness,
-       touching},
+      {"contact-stiffness",
+       "what halving and doubling the stiffness of the contact layer does, and how a hundredth of it grows from "
+       "contact "
+       "to contact",
+       &contact_stiffness, touching, true},
       {"contact", "its layer, the polynomials and samples that carry it, its force over time, where the time goes",
        &contact, touching},
       {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching},

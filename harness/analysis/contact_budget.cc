@@ -19,10 +19,8 @@ constexpr double hardly_any = 1e-4;  // [-] of the static shapes' mass: a hundre
 std::string in_words(bool finite) {
   return fmt::format(
       "modal in steps, modal in steps of a quarter of that, the same modes and static shapes in the contact of full "
-      "order "
-      "(small rotations, points on the mesh's surface in the place of the exact one), these shapes with their mass, "
-      "full "
-      "order on the same mesh{0}, full order on the finer mesh{0}{1}",
+      "order (small rotations, points on the mesh's surface in the place of the exact one), these shapes with their "
+      "mass, full order on the same mesh{0}, full order on the finer mesh{0}{1}",
       finite ? " with linear kinematics" : "", finite ? ", finite strain on that" : "");
 }
 

@@ -3,7 +3,7 @@
 
 #include "cases/contract/touchdown.h"
 #include "harness/analysis/analyses.h"
-#include "harness/analysis/contact_variants.h"
+#include "harness/analysis/contact_tables.h"
 #include "harness/analysis/first_impact.h"
 
 namespace mb {
@@ -62,7 +62,7 @@ std::vector<Finding> contact_stiffness(const AnalysisContext& context) {
     for (const ContactContender& answer : variants.contenders())
       add(meeting, answer.modes < 0 ? "full order, the truth's tolerance" : answer.method, answer);
   }
-  return {found};
+  return {found, contact_conditions(variants, context)};
 }
 
 }  // namespace mb

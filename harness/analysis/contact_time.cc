@@ -6,7 +6,7 @@
 #include "harness/measure.h"
 #include "modal/contact/contact_load.h"
 #include "modal/contact/meetings.h"
-#include "modal/contact/spin.h"
+#include "modal/frame/spin.h"
 
 namespace mb {
 

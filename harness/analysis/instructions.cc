@@ -22,12 +22,11 @@ constexpr double about = 2;      // [-] a factor by which "about one" is still o
 Finding instruction_table(const std::string& missing) {
   std::string note =
       "Instructions of stepping and of displacements at the frames, counted by valgrind's callgrind on the program "
-      "that "
-      "is timed; what is prepared before is not counted. MIPS for real time: million instructions a simulated second, "
-      "claimed about 1; at most 2 holds. Flight is in closed form, so that a longer fall makes a second cheaper; a "
-      "step: the same over the steps in contact. Times are medians, of full order a single run's. Full order: the "
-      "bodies' own meshes by newmark, counted over the first twentieth of the time after the first touch, in contact, "
-      "where a step costs most, and extrapolated by the number of steps: an estimate from above.";
+      "that is timed; what is prepared before is not counted. MIPS for real time: million instructions a simulated "
+      "second, claimed about 1; at most 2 holds. Flight is in closed form, so that a longer fall makes a second "
+      "cheaper; a step: the same over the steps in contact. Times are medians, of full order a single run's. Full "
+      "order: the bodies' own meshes by newmark, counted over the first twentieth of the time after the first touch, "
+      "in contact, where a step costs most, and extrapolated by the number of steps: an estimate from above.";
   if (!missing.empty()) note += " Not counted: " + missing + ".";
   return table("instructions", "instructions", "Instructions a simulated second", note,
                {{"claim", ""},

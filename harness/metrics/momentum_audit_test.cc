@@ -2,51 +2,14 @@
 
 #include <gmock/gmock.h>
 
-#include "cases/scene/one_body.h"
+#include "harness/metrics/one_touch_test.h"
 
 namespace mb {
 namespace {
 
 using ::testing::StartsWith;
 
-// A block of 0.1 x 0.2 x 0.3 m under a weight, looked at in one point at 0, 0.1, ..., 0.4 s.
-struct Setting {
-  Scene scene = one_body(Box{{0.1, 0.2, 0.3}}, {1e6, 0.3, 1000, {}}, {1, {1, 1, 1}});
-  EvaluationPoints points;
-  MetricContext context(bool free = true) const { return {scene, 0, points, free}; }
-};
-Setting setting() {
-  Setting s;
-  s.scene.gravity = {0, 0, -10};
-  s.points.volume = {Matrix3Xd::Zero(3, 1), VectorXd::Ones(1)};
-  s.points.surface = {Matrix3Xd(3, 0), VectorXd(0)};
-  s.points.probes = Matrix3Xd(3, 0);
-  return s;
-}
-
-// One touch from 0.1 to 0.3 s, of 18 N s upwards; no momentum recorded.
-Trajectory answer(const Setting& s) {
-  Trajectory t{VectorXd::LinSpaced(5, 0, 0.4), {}, {}, Status::ok};
-  BodyTrajectory body;
-  body.displacement = MatrixXd::Zero(3 * s.points.size(), 5);
-  body.strain = MatrixXd(0, 0);
-  body.contact.force = body.contact.impulse = Matrix3Xd::Zero(3, 5);
-  body.contact.force(2, 2) = 90;
-  body.contact.impulse.row(2) << 0, 0, 9, 18, 18;
-  body.contact.stored = body.contact.dissipated = VectorXd::Zero(5);
-  body.contact.touches = {{0.1, 0.3, 90, 0.2, {0, 0, 18}}};
-  t.bodies.push_back(body);
-  return t;
-}
-
-Mark marked(const std::string& name, const Trajectory& a, const Trajectory& b, const MetricContext& context) {
-  return mark(metric(name), a, b, context);
-}
-double value(const std::string& name, const Trajectory& a, const Trajectory& b, const MetricContext& context) {
-  const Mark of = marked(name, a, b, context);
-  EXPECT_EQ(of.status, "ok") << name;
-  return of.value;
-}
+using namespace one_touch;
 
 TEST(MomentumAudit, MomentumDriftByHand) {
   Setting s = setting();

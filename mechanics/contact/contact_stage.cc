@@ -58,13 +58,13 @@ VectorXd ContactStage::response(const VectorXd& f_C) const {
 
 ContactStage::Outcome ContactStage::solve(const Inverse& A, const VectorXd& a, double gamma, double tolerance,
                                           VectorXd& v) {
-  Outcome outcome{true, 0, 0};
+  Outcome outcome{true, 0, 0, {}};
   const VectorXd a_C = forces_.gather(a), vhat_C = forces_.gather(v);
   VectorXd v_C = vhat_C, f(v_C.size());
   ContactForces::Tangent tangent;
   // r = v - vhat - gamma G f: f acts on known columns alone once those of the tangent are there.
   const auto residual_at = [&](const VectorXd& v_now) {
-    forces_(a_C + gamma * v_now, v_now, f, tangent);
+    outcome.sum = forces_(a_C + gamma * v_now, v_now, f, tangent);
     require_columns(A, tangent.active, outcome);
     return VectorXd(v_now - vhat_C - gamma * response(f));
   };

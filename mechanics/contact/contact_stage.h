@@ -31,7 +31,8 @@ class ContactStage {
   struct Outcome {
     bool converged;
     int iterations;
-    long solves; /* with A */
+    long solves;     // with A
+    ContactSum sum;  // of the very forces that the solution feels: within the tolerance those in it
   };
   // v: vhat on entry, the solution on return. tolerance [m/s]: of the largest component of the residual.
   Outcome solve(const Inverse& A, const VectorXd& a, double gamma, double tolerance, VectorXd& v);

@@ -87,14 +87,36 @@ Vector3d BodyPair::within_box(const Vector3d& Y, double larger) const {
 
 void BodyPair::find_feet() {
   const VectorXd u = near_.Phi.leftCols(3 * n_).transpose() * at_a_.state->q;
-  Matrix3Xd target(3, n_), Y(3, n_);  // [m] of samples in b's frame; of feet still sought
-  std::vector<Index> sought(static_cast<size_t>(n_));
-  std::iota(sought.begin(), sought.end(), Index{0});
+  Matrix3Xd target(3, n_);  // [m] samples in b's frame
   for (Index k = 0; k < n_; ++k) {
     near_.x.col(k) = at_a_.state->c + Q_a_ * (contact_.samples.X.col(reach_[k]) + u.segment<3>(3 * k));
     target.col(k) = Q_b_.transpose() * (near_.x.col(k) - at_b_.state->c);
     near_.Y.col(k) = feet_.col(reach_[k]);
   }
+  draw_feet_to(target);
+  const auto at = map_->points(near_.Y.leftCols(n_));
+  near_.y.leftCols(n_) = at.x;
+  for (Index k = 0; k < n_; ++k) {
+    const Vector3d Y = near_.Y.col(k);
+    if (Y != within_box(Y, most_scaled))
+      throw std::runtime_error(
+          "two bodies are close farther from where they first touched than the modes of the one that is met are known");
+    feet_.col(reach_[k]) = Y;
+    const Eigen::Matrix3d F = at.F.middleCols<3>(3 * k);
+    const Vector3d normal = (F.inverse().transpose() * signed_distance(surface_.shape, Y).gradient).normalized();
+    near_.gap[k] = normal.dot(target.col(k) - at.x.col(k));
+    near_.n.col(k) = Q_b_ * normal;
+    if (near_.gap_by_s.rows() == 0) continue;
+    near_.gap_by_s.col(k).head(a_.n_static()).noalias() = near_.Psi.middleCols<3>(3 * k) * (turn_.transpose() * normal);
+    near_.gap_by_s.col(k).tail(b_.n_static()).noalias() = -near_.Psi_b.middleCols<3>(3 * k) * normal;
+  }
+}
+
+// Newton's steps of all feet at once, each until it hardly moves.
+void BodyPair::draw_feet_to(const Matrix3Xd& target) {
+  Matrix3Xd Y(3, n_);  // [m] of feet still sought
+  std::vector<Index> sought(static_cast<size_t>(n_));
+  std::iota(sought.begin(), sought.end(), Index{0});
   for (int round = 0; round < n_rounds && !sought.empty(); ++round) {
     Y.resize(3, std::ssize(sought));
     for (Index j = 0; j < Y.cols(); ++j) Y.col(j) = near_.Y.col(sought[static_cast<size_t>(j)]);
@@ -108,22 +130,6 @@ void BodyPair::find_feet() {
         sought[n_left++] = k;
     }
     sought.resize(n_left);
-  }
-  const auto at = map_->points(near_.Y.leftCols(n_));
-  near_.y.leftCols(n_) = at.x;
-  for (Index k = 0; k < n_; ++k) {
-    const Vector3d Y_k = near_.Y.col(k);
-    if (Y_k != within_box(Y_k, most_scaled))
-      throw std::runtime_error(
-          "two bodies are close farther from where they first touched than the modes of the one that is met are known");
-    feet_.col(reach_[k]) = Y_k;
-    const Eigen::Matrix3d F = at.F.middleCols<3>(3 * k);
-    const Vector3d normal = (F.inverse().transpose() * signed_distance(surface_.shape, Y_k).gradient).normalized();
-    near_.gap[k] = normal.dot(target.col(k) - at.x.col(k));
-    near_.n.col(k) = Q_b_ * normal;
-    if (near_.gap_by_s.rows() == 0) continue;
-    near_.gap_by_s.col(k).head(a_.n_static()).noalias() = near_.Psi.middleCols<3>(3 * k) * (turn_.transpose() * normal);
-    near_.gap_by_s.col(k).tail(b_.n_static()).noalias() = -near_.Psi_b.middleCols<3>(3 * k) * normal;
   }
 }
 

@@ -69,6 +69,7 @@ class BodyPair {
   Vector3d within_box(const Vector3d& Y, double larger) const;
   void gather();
   void find_feet();
+  void draw_feet_to(const Matrix3Xd& target);  // [m] places of the samples in the partner's frame
   void find_rates(const PolynomialMap& rate);
   Matrix3Xd rows(Index k) const;                     // x - x_b by s, 3 x n_s of both
   Vector3d moved(Index k, const VectorXd& s) const;  // [m] of the sample itself by its static shapes, world

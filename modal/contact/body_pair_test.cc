@@ -7,7 +7,7 @@
 #include "modal/contact/floating_bodies_test.h"
 #include "modal/contact/meetings.h"
 #include "modal/contact/surface_polynomials.h"
-#include "modal/contact/turn.h"
+#include "modal/frame/turn.h"
 
 namespace mb::testing {
 namespace {

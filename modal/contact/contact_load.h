@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "modal/contact/floating_body.h"
+#include "modal/frame/floating_body.h"
 
 namespace mb {
 

@@ -6,7 +6,7 @@
 
 #include "modal/contact/floating_bodies_test.h"
 #include "modal/contact/sampled_pair.h"
-#include "modal/contact/turn.h"
+#include "modal/frame/turn.h"
 
 namespace mb {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "modal/contact/contact_step.h"
-#include "modal/contact/turn.h"
+#include "modal/frame/turn.h"
 
 namespace mb {
 

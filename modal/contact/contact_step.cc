@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "modal/contact/turn.h"
+#include "modal/frame/turn.h"
 
 namespace mb {
 

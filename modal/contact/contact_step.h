@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "modal/contact/contact_load.h"
-#include "modal/contact/coupled_flow.h"
+#include "modal/frame/coupled_flow.h"
 
 namespace mb {
 

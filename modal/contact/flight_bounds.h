@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "modal/contact/modal_bounds.h"
-#include "modal/contact/spin.h"
+#include "modal/frame/spin.h"
 
 namespace mb {
 

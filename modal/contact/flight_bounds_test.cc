@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modal/contact/body_flight.h"
 #include "modal/contact/floating_bodies_test.h"
 #include "modal/contact/next_touch.h"
+#include "modal/frame/body_flight.h"
 
 namespace mb {
 namespace {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "cases/contract/physical_shift.h"
-#include "modal/contact/spin.h"
 #include "modal/frame/frame_loads.h"
+#include "modal/frame/spin.h"
 
 namespace mb {
 

@@ -11,8 +11,8 @@
 #include "cases/contract/modes.h"
 #include "cases/contract/touchdown.h"
 #include "mechanics/geometry/polynomial_regression.h"
-#include "modal/contact/floating_body.h"
 #include "modal/contact/modal_bounds.h"
+#include "modal/frame/floating_body.h"
 
 namespace mb {
 

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "mechanics/contact/first_touch_support.h"
-#include "modal/contact/body_flight.h"
 #include "modal/contact/meetings.h"
 #include "modal/contact/soundness.h"
+#include "modal/frame/body_flight.h"
 
 namespace mb {
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "mechanics/rigid/flight.h"
-#include "modal/contact/body_flight.h"
 #include "modal/contact/floating_bodies_test.h"
+#include "modal/frame/body_flight.h"
 
 namespace mb {
 namespace {

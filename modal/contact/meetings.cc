@@ -7,7 +7,7 @@
 #include "mechanics/contact/first_touch_support.h"
 #include "mechanics/geometry/signed_distance.h"
 #include "modal/contact/flight_bounds.h"
-#include "modal/contact/spin.h"
+#include "modal/frame/spin.h"
 
 namespace mb {
 

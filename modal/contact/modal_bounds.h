@@ -15,7 +15,7 @@
 
 #include "mechanics/geometry/polynomial_regression.h"
 #include "mechanics/geometry/shape.h"
-#include "modal/contact/floating_body.h"
+#include "modal/frame/floating_body.h"
 
 namespace mb {
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "mechanics/geometry/signed_distance.h"
-#include "modal/contact/body_flight.h"
 #include "modal/contact/floating_bodies_test.h"
+#include "modal/frame/body_flight.h"
 
 namespace mb {
 namespace {

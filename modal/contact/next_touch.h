@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "modal/contact/body_flight.h"
 #include "modal/contact/impact_motion.h"
+#include "modal/frame/body_flight.h"
 
 namespace mb {
 

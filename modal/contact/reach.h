@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "modal/contact/floating_body.h"
+#include "modal/frame/floating_body.h"
 
 namespace mb {
 

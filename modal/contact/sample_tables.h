@@ -2,7 +2,7 @@
 // together.
 #pragma once
 
-#include "modal/contact/floating_body.h"
+#include "modal/frame/floating_body.h"
 
 namespace mb {
 

@@ -13,8 +13,8 @@
 #include <limits>
 #include <vector>
 
-#include "modal/contact/floating_body.h"
 #include "modal/contact/reach.h"
+#include "modal/frame/floating_body.h"
 
 namespace mb {
 

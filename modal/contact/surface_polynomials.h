@@ -9,7 +9,7 @@
 
 #include "cases/contract/model.h"
 #include "mechanics/geometry/polynomial_regression.h"
-#include "modal/contact/floating_body.h"
+#include "modal/frame/floating_body.h"
 
 namespace mb {
 

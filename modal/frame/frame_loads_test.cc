@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "modal/contact/body_flight.h"
-#include "modal/contact/particles_test.h"
+#include "modal/frame/body_flight.h"
+#include "modal/frame/particles_test.h"
 
 namespace mb {
 namespace {

@@ -56,9 +56,9 @@ struct Stage {
   Vector part(N_Vector x, Index from, Index n) const { return {NV_DATA_S(x) + from, n}; }
 };
 
-void set_quadratures(Problem& p, const Stage& stage, const VectorXd& a, N_Vector correction) {
+void set_quadratures(const ContactSum& sum, const Problem& p, const Stage& stage, N_Vector correction) {
   double rates[n_quadratures];
-  set_quadratures(p.contact_at(a + stage.gamma * p.v, p.v, p.f), rates);
+  set_quadratures(sum, rates);
   const Index at = 2 * p.n;
   stage.part(correction, at, n_quadratures) =
       stage.part(stage.data, at, n_quadratures) + stage.gamma * Vector(rates, n_quadratures);
@@ -69,7 +69,7 @@ bool solve_contact(Problem& p, const Stage& stage, Factor& factor, N_Vector corr
   const VectorXd a = stage.part(stage.predicted, 0, p.n) + stage.part(stage.data, 0, p.n);
   const auto outcome = factor.stage->solve(factor.A, a, stage.gamma, p.tolerance, p.v);
   p.work.solves += outcome.solves;
-  if (outcome.converged) set_quadratures(p, stage, a, correction);
+  if (outcome.converged) set_quadratures(outcome.sum, p, stage, correction);
   return outcome.converged;
 }
 
@@ -86,7 +86,8 @@ bool solve_finite(Problem& p, const Stage& stage, N_Vector correction) {
   p.work.factorisations += outcome.factorisations;
   ++p.work.load_evaluations;
   p.inverted = outcome.inverted;
-  if (outcome.converged && p.parts.contact) set_quadratures(p, stage, a, correction);
+  if (outcome.converged && p.parts.contact)
+    set_quadratures(p.contact_at(a + stage.gamma * p.v, p.v, p.f), p, stage, correction);
   return outcome.converged;
 }
 

@@ -1,4 +1,4 @@
-#include "modal/contact/body_flight.h"
+#include "modal/frame/body_flight.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <random>
 
-#include "modal/contact/spin.h"
+#include "modal/frame/spin.h"
 
 namespace mb {
 

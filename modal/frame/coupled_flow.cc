@@ -1,4 +1,4 @@
-#include "modal/contact/coupled_flow.h"
+#include "modal/frame/coupled_flow.h"
 
 #include <algorithm>
 #include <cmath>

@@ -23,7 +23,7 @@
 #include <array>
 
 #include "cases/contract/model.h"
-#include "modal/contact/floating_body.h"
+#include "modal/frame/floating_body.h"
 
 namespace mb {
 

@@ -1,9 +1,9 @@
-#include "modal/contact/body_flight.h"
+#include "modal/frame/body_flight.h"
 
 #include <cmath>
 
 #include "mechanics/rigid/inertia.h"
-#include "modal/contact/contact_step.h"
+#include "modal/frame/spin.h"
 
 namespace mb {
 

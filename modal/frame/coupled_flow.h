@@ -16,7 +16,7 @@
 #include <map>
 #include <vector>
 
-#include "modal/contact/spin.h"
+#include "modal/frame/spin.h"
 
 namespace mb {
 

@@ -1,4 +1,4 @@
-#include "modal/contact/spin.h"
+#include "modal/frame/spin.h"
 
 #include <cmath>
 #include <optional>

@@ -1,11 +1,11 @@
-#include "modal/contact/spin.h"
+#include "modal/frame/spin.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "modal/contact/body_flight.h"
-#include "modal/contact/particles_test.h"
+#include "modal/frame/body_flight.h"
+#include "modal/frame/particles_test.h"
 
 namespace mb {
 namespace {

@@ -7,7 +7,7 @@
 #include "mechanics/geometry/shape.h"
 #include "modal/bases/eigenmodes.h"
 #include "modal/contact/floating_bodies_test.h"
-#include "modal/contact/spin.h"
+#include "modal/frame/spin.h"
 #include "reference/full_model.h"
 
 namespace mb {

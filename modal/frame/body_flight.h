@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "mechanics/rigid/torque_free.h"
-#include "modal/contact/coupled_flow.h"
+#include "modal/frame/coupled_flow.h"
 
 namespace mb {
 
