@@ -40,8 +40,10 @@
 //   contact-forces-claim      claim | compared | gain | least gain | verdict
 //   contact-stiffness         contact | contender | modes r | factor | stiffness | k a/E* | first touch | duration |
 //                             peak force | impulse | change of duration | ... of peak force | ... of impulse
-//   contact-conditions        contact | contender | modes r | touches | start | duration | peak force | impulse |
-//                             condition of start | ... of duration | ... of peak force | ... of impulse
+//   contacts-in-turn          contact | contender | modes r | touches | start | duration | peak force | impulse |
+//                             error of start | ... of duration | ... of peak force | ... of impulse
+//   contact-conditions        contact | contender | modes r | condition of start | ... of duration |
+//                             ... of peak force | ... of impulse
 //   contact-meetings          obstacle | law | stiffness | stated | E* | a | k a/E* | first touch | speed | approach |
 //                             duration | force
 //   contact-geometry          method | modes r | degree | coefficients | kept | condition | residual | worst mode |

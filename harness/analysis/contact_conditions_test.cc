@@ -79,7 +79,7 @@ TEST(ContactConditions, OfABallOnAHeavyBeamAreThoseOfHertz) {
       EXPECT_LT(value(row, "condition of start"), 1e-6) << "they touch from the start";
     }
   }
-  EXPECT_EQ(n_rows, 3) << "two ways of modes and full order";
+  EXPECT_EQ(n_rows, 2) << "two ways of modes; full order has no second contact to tell of";
 }
 
 }  // namespace

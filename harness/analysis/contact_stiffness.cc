@@ -62,7 +62,9 @@ std::vector<Finding> contact_stiffness(const AnalysisContext& context) {
     for (const ContactContender& answer : variants.contenders())
       add(meeting, answer.modes < 0 ? "full order, the truth's tolerance" : answer.method, answer);
   }
-  return {found, contact_conditions(variants, context)};
+  std::vector<Finding> all{std::move(found)};
+  for (Finding& of : contact_conditions(variants, context)) all.push_back(std::move(of));
+  return all;
 }
 
 }  // namespace mb

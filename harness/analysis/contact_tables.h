@@ -20,8 +20,8 @@ Finding contact_geometry(const std::vector<ContactBasis>& bases);
 std::vector<Finding> contact_times(const std::vector<ContactBasis>& bases, const AnalysisContext& context);
 // A contact of law hertz has no samples: then no rows.
 Finding contact_samples(const ContactVariants& variants, const AnalysisContext& context);
-// How a small change grows from contact to contact, by the layer's stiffness.
-Finding contact_conditions(const ContactVariants& variants, const AnalysisContext& context);
+// Contacts one by one, and how a small change of the layer's stiffness grows from one to the next.
+std::vector<Finding> contact_conditions(const ContactVariants& variants, const AnalysisContext& context);
 Finding force_history(const std::vector<ContactBasis>& bases, const AnalysisContext& context);
 
 }  // namespace mb
