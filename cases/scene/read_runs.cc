@@ -35,12 +35,12 @@ void check_meshes(const Rival& rival, const CellLists& cells, const BodyDraft& b
     check_mesh(*body.shape, {degree, entry.value, rival.graded}, entry.where, findings, *body.theory);
 }
 
-// Those of the second body, one a mesh of the first.
+// Those of the second body, one a mesh of the first. Without bodies these are not known, but not against it.
 std::vector<std::vector<int>> read_second_cells(Section& section, const Rival& rival, const RunContext& context) {
-  if (context.bodies.size() < 2 || !section.has("second_cells")) return {};
+  if (context.bodies.size() == 1 || !section.has("second_cells")) return {};
   const auto cells = section.integer_lists("second_cells", any_cells_range, {1, 64}, {1, 3});
   if (!cells) return {};
-  check_meshes(rival, *cells, context.bodies[1], section.findings());
+  if (!context.bodies.empty()) check_meshes(rival, *cells, context.bodies[1], section.findings());
   if (!rival.cells.empty() && cells->size() != rival.cells.size())
     section.error("second_cells", fmt::format("'second_cells' has {} entries, 'cells' {}: one a mesh", cells->size(),
                                               rival.cells.size()));

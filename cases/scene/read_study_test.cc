@@ -137,6 +137,15 @@ time_steps = [0.1]
   EXPECT_TRUE(standard.study.steppings.empty());
 }
 
+TEST(ReadProfile, replaces_contenders_of_two_bodies) {
+  const std::string text = test::content(test::cases_folder() / "ball-on-two-by-four.toml");
+  const Scene quick = test::read(text), full = test::read(text, "full");
+  ASSERT_EQ(quick.study.rivals.size(), 1u);
+  ASSERT_EQ(full.study.rivals.size(), 1u);
+  EXPECT_EQ(quick.study.rivals[0].second_cells, full.study.rivals[0].second_cells);
+  EXPECT_LT(quick.study.rivals[0].time_steps.size(), full.study.rivals[0].time_steps.size());
+}
+
 TEST(ReadProfile, is_checked_whichever_is_asked_for) {
   const std::string text = with(cylinder_text(), "[profile.full]\n", "[profile.full]\nmodes = [4500, 5000]\n");
   for (const char* profile : {"quick", "standard", "full"}) {

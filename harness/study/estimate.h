@@ -1,14 +1,18 @@
 // How long a case will take, before anything is computed: counts of operations times constants measured once.
 //
-//   newmark step      s = n (0.66 (p + 2)^3 + 0.3 f) ns       one solve, two products with the matrices
-//   explicit step     s/3                                     one product
-//   adaptive steps    4 rtol^-0.3, 30 s each                  6 times as many after a jump, twice with stiffness
-//   damping assembly, factor  0.2 ms n/p r modes           (70 + r) 9 s                            with the gate that
-//   checks them dense spectrum    2 ns n^3                                closed form of a mesh of n degrees of freedom
+//   newmark step              s = n (0.66 (p + 2)^3 + 0.3 f) ns     one solve, two products with the matrices
+//   explicit step             s/3                                   one product
+//   step of finite strain     12 s                                  a stage iterates, each time with factors of its own
+//   adaptive steps            4 rtol^-0.3, 30 s each                6 times as many after a jump, twice with stiffness
+//                                                                   damping
+//   assembly, factor          0.2 ms n/p
+//   r modes                   (70 + r) 9 s                          with the gate that checks them
+//   dense spectrum            2 ns n^3                              closed form of a mesh of n degrees of freedom
 //
 // n degrees of freedom, elements of degree p; f of them stand in the narrowest layer across the mesh, what a factor's
-// rows are about as wide as: few where it is slender. The constants fit the nine cases of the quick profile on two
-// cores of an AMD EPYC server (2026) within a factor of two; another machine or load moves them by about as much again.
+// rows are about as wide as: few where it is slender. The constants fit the cases without contact on two cores of an
+// AMD EPYC server (2026) within a factor of two, truths of those with it within four; another machine or load moves
+// them by about twice.
 #pragma once
 
 #include "harness/catalogue.h"
