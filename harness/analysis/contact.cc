@@ -44,7 +44,7 @@ Finding force_history(const std::vector<ContactBasis>& bases, const AnalysisCont
   settings.time_step = std::ranges::min(scene.study.contact_steps);
   for (const auto& [of, prepared_bases] : bases) {
     const auto prepared = prepare_floating(prepared_bases, context.catalogue.integrator("exact"), settings);
-    add(of.method, count(of.modes),
+    add(of.method, count(prepared_bases->front().body.n_modes()),
         prepared->simulate({.t = sample_times(scene), .strain = false, .reconstruct = false}));
   }
   return found;
@@ -58,6 +58,11 @@ std::vector<Finding> contact(const AnalysisContext& context) {
       const ContactContender of{method, r};
       bases.push_back({of, variants.bases(*context.scene, of)});
     }
+  for (const char* method : {"linear", "quadratic"}) {
+    if (std::ranges::count(context.scene->study.methods, method) == 0) continue;
+    const ContactContender of{method, 0};
+    bases.push_back({of, variants.bases(*context.scene, of)});
+  }
   std::vector<Finding> found{contact_meetings(*context.scene), contact_geometry(bases), force_history(bases, context)};
   found.push_back(contact_samples(variants, context));
   for (Finding& times : contact_times(bases, context)) found.push_back(std::move(times));

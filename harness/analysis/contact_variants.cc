@@ -5,6 +5,7 @@
 
 #include "harness/analysis/basis_model.h"
 #include "modal/bases/eigenmodes.h"
+#include "modal/bases/ritz_modes.h"
 #include "modal/contact/contact_shapes.h"
 #include "modal/contact/contact_step.h"
 
@@ -95,8 +96,13 @@ std::shared_ptr<Model> with_scene(const Model& model, const Scene& scene) {
 
 std::shared_ptr<const FloatingBases> bases_of(const Model& model, const std::vector<Modes>& all,
                                               const ContactContender& contender) {
+  const int degree = contender.method == "linear" ? 1 : contender.method == "quadratic" ? 2 : 0;
   std::vector<Modes> asked;
-  for (const Modes& modes : all) asked.push_back(leading(modes, contender.modes));
+  for (size_t i = 0; i < all.size(); ++i) {
+    const FullModel& full = *model.bodies[i].full;
+    asked.push_back(degree > 0 ? ritz_modes(full.system(), full.polynomials(degree))
+                               : leading(all[i], contender.modes));
+  }
   return std::make_shared<const FloatingBases>(
       floating_bases(model, asked, contender.method == "static-correction", contender.finest_sample));
 }

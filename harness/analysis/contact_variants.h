@@ -8,8 +8,8 @@
 namespace mb {
 
 struct ContactContender {
-  std::string method;                        // "static-correction", "eigenmodes" or "full-order"
-  int modes;                                 // elastic ones; -1: full order
+  std::string method;                        // "static-correction", "eigenmodes", "linear", "quadratic", "full-order"
+  int modes;                                 // elastic ones, of polynomials 0: all there are; -1: full order
   double time_step = 0;                      // [s] in contact, of modes
   double finest_sample = mb::finest_sample;  // [-] of the contact's radius, of modes
 };
