@@ -36,35 +36,57 @@ double distance(const FloatingBody& body, const BodyState& a, const BodyState& b
 
 CoupledFlow::CoupledFlow(const FloatingBody& body, double h) : body_(body), h_(h) {
   const Index r = body.n_modes();
-  for (VectorXd* x : {&damping_, &C_, &S_, &C_dot_, &S_dot_, &P_}) x->resize(r);
+  for (VectorXd* x : {&damping_, &C_, &S_, &C_dot_, &S_dot_, &P_, &R_}) x->resize(r);
   for (Index i = 0; i < r; ++i) {
     const Roots& mode = body.modes[static_cast<size_t>(i)];
     const Response x = response(mode, h / 2);
     damping_[i] = 2 * mode.h;
-    C_[i] = x.C, S_[i] = x.S, C_dot_[i] = x.C_dot, S_dot_[i] = x.S_dot, P_[i] = x.P;
+    C_[i] = x.C, S_[i] = x.S, C_dot_[i] = x.C_dot, S_dot_[i] = x.S_dot, P_[i] = x.P, R_[i] = x.R;
   }
 }
 
-// q' = pi - C^T Omega,   pi' = -lambda q - c pi + c C^T Omega + force
-CoupledFlow::Slope CoupledFlow::slope(const BodyState& y, double t, const Start& start) const {
+CoupledFlow::Slope CoupledFlow::drive(const BodyState& y, double t, double start) const {
   const Spin now = spin(body_, y);
   const Eigen::Quaterniond turn = y.Q * Eigen::Quaterniond(0, now.Omega.x(), now.Omega.y(), now.Omega.z());
   const Vector3d none = Vector3d::Zero();
-  Slope slope{-now.carried, now.force + damping_.cwiseProduct(now.carried) - start.b, turn.coeffs() / 2, none, none,
-              none};
-  if (!body_.loads) return slope;
-  const FrameForce load = body_.loads->at(t, start.t, y.Q, y.q);
-  slope.p += load.modal;
-  slope.c = y.v;
-  slope.v = y.Q * load.force / body_.mass + body_.gravity;
-  slope.L = y.Q * load.torque;
-  return slope;
+  Slope all{-now.carried, now.force, turn.coeffs() / 2, none, none, none};
+  if (body_.loads) {
+    const FrameForce load = body_.loads->at(t, start, y.Q, y.q);
+    all.p += load.modal;
+    all.c = y.v;
+    all.v = y.Q * load.force / body_.mass + body_.gravity;
+    all.L = y.Q * load.torque;
+  }
+  all.p -= damping_.cwiseProduct(all.q);
+  return all;
 }
 
-BodyState CoupledFlow::flow(const BodyState& y, const VectorXd& b) const {
+// Through the start and where constant forces would lead; frame: at_start without what drives the modes.
+CoupledFlow::Lines CoupledFlow::lines(const BodyState& y, double t, const Slope& at_start, const Slope& frame) const {
+  const VectorXd none = VectorXd::Zero(body_.n_modes());
+  Lines from{t, at_start.q, at_start.p + damping_.cwiseProduct(at_start.q), none, none};
+  if (h_ == 0) return from;
+  const Slope at_end = drive(add(flow(flow(y, from), from), frame, h_), t + h_, t);
+  from.g_rate = (at_end.q - from.g) / h_;
+  from.f_rate = (at_end.p + damping_.cwiseProduct(at_end.q) - from.f) / h_;
+  return from;
+}
+
+CoupledFlow::Slope CoupledFlow::slope(const BodyState& y, double t, const Lines& lines) const {
+  Slope rest = drive(y, t, lines.t);
+  const Lines now = lines.later(t - lines.t);
+  rest.p -= now.f - damping_.cwiseProduct(now.g);
+  rest.q -= now.g;
+  return rest;
+}
+
+// With r = q' = pi + g:  r' = -lambda q - c r + f + g'.
+BodyState CoupledFlow::flow(const BodyState& y, const Lines& lines) const {
   BodyState next = y;
-  next.q = C_.cwiseProduct(y.q) + S_.cwiseProduct(y.p) + P_.cwiseProduct(b);
-  next.p = C_dot_.cwiseProduct(y.q) + S_dot_.cwiseProduct(y.p) + S_.cwiseProduct(b);
+  const VectorXd r = y.p + lines.g, f = lines.f + lines.g_rate;
+  next.q = C_.cwiseProduct(y.q) + S_.cwiseProduct(r) + P_.cwiseProduct(f) + R_.cwiseProduct(lines.f_rate);
+  next.p = C_dot_.cwiseProduct(y.q) + S_dot_.cwiseProduct(r) + S_.cwiseProduct(f) + P_.cwiseProduct(lines.f_rate);
+  next.p -= lines.g + (h_ / 2) * lines.g_rate;
   return next;
 }
 
@@ -95,16 +117,16 @@ CoupledFlow::Slope CoupledFlow::weighted(const Slope& k1, const Slope& k2, const
 }
 
 BodyState CoupledFlow::advance(BodyState state, double t) const {
-  const Spin at_start = spin(body_, state);
-  Start from{t, at_start.force + damping_.cwiseProduct(at_start.carried)};
-  if (body_.loads) from.b += body_.loads->at(t, t, state.Q, state.q).modal;
+  const Slope at_start = drive(state, t, t);
+  Slope k1 = at_start;  // less the lines nothing is left of what drives the modes
+  k1.q.setZero(), k1.p.setZero();
+  const Lines first = lines(state, t, at_start, k1), second = first.later(h_ / 2);
   const double middle = t + h_ / 2, end = t + h_;
-  const BodyState half = flow(state, from.b);
-  const Slope k1 = flow(slope(state, t, from)), k2 = slope(add(half, k1, h_ / 2), middle, from),
-              k3 = slope(add(half, k2, h_ / 2), middle, from), k3_on = flow(k3);
-  const BodyState whole = flow(half, from.b);
-  const Slope k4 = slope(add(whole, k3_on, h_), end, from), k1_on = flow(k1), k2_on = flow(k2);
-  return add(whole, weighted(k1_on, k2_on, k3_on, k4), h_ / 6);
+  const BodyState half = flow(state, first), whole = flow(half, second);
+  const Slope k2 = slope(add(half, k1, h_ / 2), middle, first), k3 = slope(add(half, k2, h_ / 2), middle, first),
+              k2_on = flow(k2), k3_on = flow(k3);
+  const Slope k4 = slope(add(whole, k3_on, h_), end, first);
+  return add(whole, weighted(k1, k2_on, k3_on, k4), h_ / 6);
 }
 
 CoupledFlight::CoupledFlight(const FloatingBody& body, const BodyState& start, double t0, double tolerance)

@@ -1,12 +1,13 @@
 // Rotation and modes of a free body with coupling (spin.h) or loads (frame_loads.h) away from all obstacles: what
 // couples them has no closed form.
 //
-//   y = (q, pi, Q),    y' = A y + b + (n(y, t) - b),    A, b: the free modes under the force of spin and loads at the
-//   start,             with loads y = (q, pi, Q, c, v, L):  c' = v,  m v' = Q force + m g,  L' = Q torque
+//   y = (q, pi, Q),    q' = pi + g,   pi' = -lambda q - c q' + f,   Q' = Q Omega^,   g, f: what spin and loads add
+//                      with loads y = (q, pi, Q, c, v, L):  c' = v,  m v' = Q force + m g,  L' = Q torque
 //
-// One step h is the classical Runge-Kutta method of order 4 in the variables that the exact flow of A y + b leaves
-// constant (Lawson 1967, SIAM J. Numer. Anal. 4, 372-380): free vibration and steady stretching are exact whatever h,
-// and without spin nothing is left to approximate.
+// One step h is the classical Runge-Kutta method of order 4 in the variables that the exact flow of the free modes
+// leaves constant, g and f there lines over the step (Lawson 1967, SIAM J. Numer. Anal. 4, 372-380): free vibration and
+// steady stretching are exact whatever h, modes far faster than the spin follow it in balance, and without spin nothing
+// is left to approximate.
 //
 // CoupledFlight halves and doubles h so that each step, against two of half the length, is off by at most a tolerance:
 //
@@ -28,23 +29,27 @@ class CoupledFlow {
 
  private:
   struct Slope {
-    VectorXd q, p;  // n - b
+    VectorXd q, p;  // of y; of what drives it g and f - c g
     Eigen::Vector4d Q;
     Vector3d c, v, L;  // 0 without loads
   };
-  struct Start {
+  // g and f over the step as lines: values at t [s] and rates.
+  struct Lines {
     double t;
-    VectorXd b;
+    VectorXd g, f, g_rate, f_rate;
+    Lines later(double tau) const { return {t + tau, g + tau * g_rate, f + tau * f_rate, g_rate, f_rate}; }
   };
-  Slope slope(const BodyState& y, double t, const Start& start) const;
-  BodyState flow(const BodyState& y, const VectorXd& b) const;  // of A y + b over h/2
-  Slope flow(const Slope& x) const;                             // of A y over h/2
+  Slope drive(const BodyState& y, double t, double start) const;  // start [s] of the step: jumps of loads lie before it
+  Lines lines(const BodyState& y, double t, const Slope& at_start, const Slope& frame) const;
+  Slope slope(const BodyState& y, double t, const Lines& lines) const;
+  BodyState flow(const BodyState& y, const Lines& lines) const;  // over h/2
+  Slope flow(const Slope& x) const;                              // of free modes over h/2
   static Slope weighted(const Slope& k1, const Slope& k2, const Slope& k3, const Slope& k4);
   static BodyState add(BodyState y, const Slope& x, double part);  // y + part x
 
   const FloatingBody& body_;
   double h_;
-  VectorXd damping_, C_, S_, C_dot_, S_dot_, P_;  // c_i; of modes over h/2
+  VectorXd damping_, C_, S_, C_dot_, S_dot_, P_, R_;  // c_i; of modes over h/2
 };
 
 class CoupledFlight {
