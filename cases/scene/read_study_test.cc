@@ -141,7 +141,7 @@ TEST(ReadProfile, replaces_contenders_of_two_bodies) {
   const std::string text = test::content(test::cases_folder() / "ball-on-two-by-four.toml");
   const Scene quick = test::read(text), full = test::read(text, "full");
   ASSERT_EQ(quick.study.rivals.size(), 1u);
-  ASSERT_EQ(full.study.rivals.size(), 1u);
+  ASSERT_EQ(full.study.rivals.size(), 2u);
   EXPECT_EQ(quick.study.rivals[0].second_cells, full.study.rivals[0].second_cells);
   EXPECT_LT(quick.study.rivals[0].time_steps.size(), full.study.rivals[0].time_steps.size());
 }

@@ -33,7 +33,9 @@ const std::vector<Analysis>& analysis_catalogue() {
        "contact "
        "to contact",
        &contact_stiffness, touching, true},
-      {"contact", "its layer, the polynomials and samples that carry it, its force over time, where the time goes",
+      {"contact",
+       "its layer, the polynomials and samples that carry it, its force over time, where the time goes; of eigenmodes, "
+       "static correction and the study's linear and quadratic modes",
        &contact, touching},
       {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching},
       {"amplitude", "the speed of an impact at which linear theory ends, by linear against finite kinematics",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "harness/analysis/budget_tables.h"
 #include "harness/analysis/contact_variants.h"
@@ -63,7 +64,7 @@ class ContactBudget {
   }
 
   std::vector<Finding> findings() && {
-    for (const std::string& reason : reasons_) tables_.note(reason);
+    for (const auto& [what, reason] : reasons_) tables_.note(reason);
     return std::move(tables_).findings();
   }
 
@@ -86,8 +87,8 @@ class ContactBudget {
     } catch (const std::exception& error) {
       reason = error.what();
     }
-    reason = fmt::format("Links are merged for want of {}: {}.", what, reason);
-    if (std::ranges::find(reasons_, reason) == reasons_.end()) reasons_.push_back(reason);
+    // One reason for each: others of its kind differ in numbers alone.
+    reasons_.try_emplace(what, fmt::format("Links are merged for want of {}: {}.", what, reason));
     return {};
   }
 
@@ -131,7 +132,7 @@ class ContactBudget {
   ContactVariants variants_;
   std::vector<EvaluationPoints> points_;                                 // of every body
   std::vector<std::pair<std::string, std::optional<Trajectory>>> full_;  // after the modal answers
-  std::vector<std::string> reasons_;
+  std::map<std::string, std::string> reasons_;                           // by what is missing
 };
 
 }  // namespace

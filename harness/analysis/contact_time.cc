@@ -14,11 +14,11 @@ namespace {
 
 Finding part_table() {
   return table("contact", "contact-time", "Where the time of a run goes",
-               "The motion alone, nothing reconstructed. Search: for the next touch of surfaces, in closed form, once "
-               "a flight. Loads: "
-               "gaps and law at the samples that can press, their sums, and the balance of static shapes; timed over "
-               "the run's own states. Steps: frame and modes, with all else that a run does. Reconstruction: "
-               "displacements at all evaluation points for the samples of the study. Medians; shares are of their sum.",
+               "The motion alone, nothing reconstructed. Search: for the next touch of surfaces, once a "
+               "flight. Loads: gaps and law at the samples that can press, their sums, and the balance of static "
+               "shapes; timed over the run's own states. Steps: frame and modes, with all else that a run does: what "
+               "is left of the whole. Reconstruction: displacements at all evaluation points for the samples of the "
+               "study. Medians; shares are of the whole. Empty: lost in the noise of the others.",
                {{"method", ""},
                 {"modes r", ""},
                 {"dt", "s"},
@@ -79,6 +79,12 @@ void search_again(const Plans& plans, const std::vector<std::vector<FlightBegun>
   }
 }
 
+// Where the stepper begins its search for the static shapes: the last two steps point there.
+VectorXd ahead(const std::vector<BodyState>& states, std::size_t i) {
+  const VectorXd& last = states[i - 1].s;
+  return i < 2 ? last : VectorXd(2 * last - states[i - 2].s);
+}
+
 struct Loads {
   Timing timing;
   double visited;  // samples a call
@@ -98,7 +104,7 @@ Loads loads_over(const Plans& plans, const std::vector<ImpactMotion>& motions) {
       std::vector<Looked> looked;
       for (std::size_t b = 0; b < plans.size(); ++b) {
         now[b].body = motions[b].states[i];
-        now[b].body.s = motions[b].states[i - 1].s;
+        now[b].body.s = ahead(motions[b].states, i);
         rate[b] = rates(plans[b].body, now[b].body);
         looked.push_back({&now[b].body, angular_velocity(plans[b].body, now[b].body), &rate[b], &now[b].load});
       }
@@ -143,12 +149,15 @@ class Account {
     const double shown = measure([&] { prepared->simulate(all); }).median;
     const double n_calls = static_cast<double>(motion.states.size()) - 1,
                  n_steps = static_cast<double>(motion.work.steps);
-    const double stepping = std::max(0.0, whole.median - search - loads.timing.median);
-    const double reconstruction = std::max(0.0, shown - whole.median);
-    const double sum = search + loads.timing.median + stepping + reconstruction;
+    // What is left of the whole: a part that is lost in the noise of the others is none.
+    const auto rest = [](double seconds) { return seconds > 0 ? seconds : std::nan(""); };
+    const double stepping = rest(whole.median - search - loads.timing.median),
+                 reconstruction = rest(shown - whole.median);
+    const double sum = std::max(shown, search + loads.timing.median);
     const double r = static_cast<double>(plan.body.n_modes());
     const auto part = [&](const char* name, double calls, double seconds) {
-      parts_.rows.push_back({asked.of.method, r, plan.step, name, calls, seconds, seconds / calls, seconds / sum});
+      parts_.rows.push_back({asked.of.method, r, plan.step, name, calls, number(seconds), number(seconds / calls),
+                             number(seconds / sum)});
     };
     part("search for touches", static_cast<double>(run.flights.front().size()), search);
     part("loads of contact", n_calls, loads.timing.median);

@@ -53,8 +53,8 @@ const std::map<std::string, FormulaAndSource>& analyses() {
   static const std::map<std::string, FormulaAndSource> all = {
       {"budget",
        {"modal(dt) -> modal(exact in t) -> full order, same mesh -> finer; with contact modal(dt) -> modal(dt/4) -> "
-        "modes "
-        "on the mesh's surface -> same mesh -> finer -> finite strain; total^2 = sum of squares + cross terms",
+        "modes on the mesh's surface -> static shapes with their mass -> same mesh -> finer -> finite strain; total^2 "
+        "= sum of squares + cross terms",
         ours}},
       {"step-limits",
        {"largest h with spectral radius of the one-step amplification <= 1 + 1e-12; growth of runs against rho^n",
@@ -90,7 +90,10 @@ const std::map<std::string, FormulaAndSource>& analyses() {
       {"contact-forces",
        {"F = k_n int g dA by samples, or k_n pi delta^2 / sqrt(k_1 k_2) by principal curvatures, against the exact cap",
         "Pentland and Williams 1989, Good Vibrations, sect. 4.2; harness/analysis/contact_contest.h"}},
-      {"contact-stiffness", {"T(k_n/2), T(k_n), T(2 k_n), likewise F and J of the first touch; k_n a/E* beside", ours}},
+      {"contact-stiffness",
+       {"T(k_n/2), T(k_n), T(2 k_n), likewise F and J of the first touch; k_n a/E* beside; of contacts in turn |x(1.01 "
+        "k_n) - x(k_n)|/(0.01 x)",
+        ours}},
       {"contact",
        {"f(t) . f*_max/|f*_max|; k_n, E*, a, k_n a/E*; |phi - sum_k a_k m_k|/|phi|; time of search, loads, steps",
         ours}},

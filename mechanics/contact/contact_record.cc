@@ -5,7 +5,11 @@
 namespace mb {
 
 const ContactSum& ContactRecord::add(double t, const VectorXd& u, const VectorXd& v) {
-  const ContactSum now = forces_(forces_.gather(u), forces_.gather(v), f_);
+  add(t, forces_(forces_.gather(u), forces_.gather(v), f_));
+  return last_;
+}
+
+void ContactRecord::add(double t, const ContactSum& now) {
   Moment moment{t, Vector3d::Zero(), 0};
   if (moments_.empty() && forces_.meet()) log_.meet(t);
   if (!moments_.empty()) {
@@ -16,7 +20,7 @@ const ContactSum& ContactRecord::add(double t, const VectorXd& u, const VectorXd
   }
   log_.add({t, now.least_gap, now.force, moment.impulse});
   moments_.push_back(moment);
-  return last_ = now;
+  last_ = now;
 }
 
 ContactHistory ContactRecord::history(const VectorXd& times, const MatrixXd& u, const MatrixXd& v,

@@ -13,6 +13,7 @@ class ContactRecord {
 
   // The state at the end of a step, or at the start; t ascending.
   const ContactSum& add(double t, const VectorXd& u, const VectorXd& v);
+  void add(double t, const ContactSum& now);  // what acts there, found already
 
   // At times [s] with states u, v (n x number of times), of which the first n_valid count.
   ContactHistory history(const VectorXd& times, const MatrixXd& u, const MatrixXd& v, Index n_valid) const;

@@ -60,13 +60,14 @@ ContactStage::Outcome ContactStage::solve(const Inverse& A, const VectorXd& a, d
                                           VectorXd& v) {
   Outcome outcome{true, 0, 0, {}};
   const VectorXd a_C = forces_.gather(a), vhat_C = forces_.gather(v);
-  VectorXd v_C = vhat_C, f(v_C.size());
+  VectorXd v_C = vhat_C;
+  f_.resize(v_C.size());
   ContactForces::Tangent tangent;
   // r = v - vhat - gamma G f: f acts on known columns alone once those of the tangent are there.
   const auto residual_at = [&](const VectorXd& v_now) {
-    outcome.sum = forces_(a_C + gamma * v_now, v_now, f, tangent);
+    outcome.sum = forces_(a_C + gamma * v_now, v_now, f_, tangent);
     require_columns(A, tangent.active, outcome);
-    return VectorXd(v_now - vhat_C - gamma * response(f));
+    return VectorXd(v_now - vhat_C - gamma * response(f_));
   };
   VectorXd r = residual_at(v_C);
   for (double size = largest(r); size > tolerance; size = largest(r), ++outcome.iterations) {
@@ -92,8 +93,8 @@ ContactStage::Outcome ContactStage::solve(const Inverse& A, const VectorXd& a, d
     }
     v_C += part * step;
   }
-  if (!known_.empty() && !f.isZero(0))
-    v.noalias() += gamma * (inverse_.leftCols(static_cast<Index>(known_.size())) * f(known_));
+  if (!known_.empty() && !f_.isZero(0))
+    v.noalias() += gamma * (inverse_.leftCols(static_cast<Index>(known_.size())) * f_(known_));
   return outcome;
 }
 

@@ -36,6 +36,7 @@ class ContactStage {
   };
   // v: vhat on entry, the solution on return. tolerance [m/s]: of the largest component of the residual.
   Outcome solve(const Inverse& A, const VectorXd& a, double gamma, double tolerance, VectorXd& v);
+  const VectorXd& force() const { return f_; }  // [N] of C, that the last solution feels: outcome.sum is of these
 
  private:
   void require_columns(const Inverse& A, const std::vector<Index>& active, Outcome& outcome);
@@ -44,8 +45,9 @@ class ContactStage {
 
   const ContactForces& forces_;
   Index n_;
-  std::vector<Index> column_;     // of a place in C: its column in inverse_, or -1
-  std::vector<Index> known_;      // places in C of the columns
+  std::vector<Index> column_;  // of a place in C: its column in inverse_, or -1
+  std::vector<Index> known_;   // places in C of the columns
+  VectorXd f_;
   MatrixXd inverse_, inverse_C_;  // A^-1 e_j: n x known, |C| x known
 };
 

@@ -35,9 +35,10 @@ class NewmarkInContact final : public Stepper {
     const Index n = system_.u0.size();
     const double gamma = h_ / 2;
     VectorXd Ma(n), a_u(n), b(n), f_C;
-    unbalanced(system_.u0, system_.v0, 0, Ma, f_C);
+    force_(0, system_.u0, system_.v0, Ma);  // M a = F s - K u - C v + f
     ContactRecord record(forces_);
-    record.add(0, system_.u0, system_.v0);
+    record.add(0, forces_(forces_.gather(system_.u0), forces_.gather(system_.v0), f_C));
+    forces_.add(f_C, Ma);
     long solves = 0;
     bool converged = true;
     States out = march(system_, h_, times, [&](double, double t1, const Motion& from, Motion& to) {
@@ -50,8 +51,10 @@ class NewmarkInContact final : public Stepper {
       solves += 1 + outcome.solves;
       converged = converged && outcome.converged;
       to.u.noalias() = a_u + gamma * to.v;
-      unbalanced(to.u, to.v, t1, Ma, f_C);
-      record.add(t1, to.u, to.v);
+      // The very forces that the step took: momentum is handed over to rounding, not to the tolerance.
+      force_(t1, to.u, to.v, Ma);
+      forces_.add(stage_.force(), Ma);
+      record.add(t1, outcome.sum);
     });
     out.work.solves = solves;
     out.work.factorisations = 1;
@@ -61,13 +64,6 @@ class NewmarkInContact final : public Stepper {
   }
 
  private:
-  // M a = F s - K u - C v + f
-  void unbalanced(const VectorXd& u, const VectorXd& v, double t, VectorXd& Ma, VectorXd& f_C) const {
-    force_(t, u, v, Ma);
-    forces_(forces_.gather(u), forces_.gather(v), f_C);
-    forces_.add(f_C, Ma);
-  }
-
   const System& system_;
   double h_, tolerance_;
   ContactForces forces_;

@@ -2,17 +2,9 @@
 #include <vector>
 
 #include "modal/contact/body_pair.h"
+#include "modal/frame/turn.h"
 
 namespace mb {
-
-namespace {
-
-// Of theta -> theta x arm.
-Eigen::Matrix3d turning(const Vector3d& arm) {
-  return (Eigen::Matrix3d() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0).finished();
-}
-
-}  // namespace
 
 Matrix3Xd BodyPair::rows(Index k) const {
   Matrix3Xd all(3, a_.n_static() + b_.n_static());

@@ -126,7 +126,7 @@ bool ContactLoads::balance(VectorXd& s) {
 }
 
 void ContactLoads::look(std::span<const Looked> bodies) {
-  for (const OfBody& of : pairs_) of.pair->look(*bodies[of.body].state, bodies[of.body].Omega);
+  for (const OfBody& of : pairs_) of.pair->look(*bodies[of.body].state, bodies[of.body].Omega, *bodies[of.body].rate);
   const auto moving = [&](size_t b) { return BodyPair::Moving{bodies[b].state, bodies[b].Omega, bodies[b].rate}; };
   for (const OfTwo& of : between_) of.pair->look(moving(of.a), moving(of.b));
 }

@@ -109,7 +109,7 @@ TEST(ContactPairs, FlatAndGeneralAgreeOnAHalfSpace) {
     for (const double depth : {1e-4, 1e-3, 4e-3, -0.1}) {
       const BodyState state = pressed(body, depth);
       // Static shapes are at rest in the general one's lever, and so in both only without a spin.
-      flat->look(state, Vector3d::Zero()), general->look(state, Vector3d::Zero());
+      flat->look(state, Vector3d::Zero(), state.p), general->look(state, Vector3d::Zero(), state.p);
       for (const VectorXd& s : {VectorXd(VectorXd::Zero(2)), VectorXd{{0.02, -0.01}}}) {
         VectorXd f_flat = VectorXd::Zero(2), f_general = f_flat;
         MatrixXd H_flat = MatrixXd::Zero(2, 2), H_general = H_flat;

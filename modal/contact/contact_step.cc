@@ -47,23 +47,19 @@ void ContactStepper::touch(std::span<ContactState> states) {
 void ContactStepper::look(std::span<ContactState> states) {
   ++n_evaluations_;
   std::vector<Looked> looked;
-  std::vector<VectorXd> momenta(states.size());  // of bodies with coupling: contact feels velocities
+  std::vector<VectorXd> of_coupled(states.size());  // q', where it is no state's own
   for (size_t b = 0; b < states.size(); ++b) {
     BodyState& state = states[b].body;
     const FloatingBody& body = *bodies_[b].body;
-    Vector3d Omega;
     if (body.coupling) {
-      const Spin now = spin(body, state);
-      momenta[b] = std::exchange(state.p, now.rate);
-      Omega = state.Q * now.Omega;
+      Spin now = spin(body, state);
+      of_coupled[b] = std::move(now.rate);
+      looked.push_back({&state, state.Q * now.Omega, &of_coupled[b], &states[b].load});
     } else {
-      Omega = angular_velocity(body, state);
+      looked.push_back({&state, angular_velocity(body, state), &state.p, &states[b].load});
     }
-    looked.push_back({&state, Omega, &state.p, &states[b].load});
   }
   loads_(looked);
-  for (size_t b = 0; b < states.size(); ++b)
-    if (bodies_[b].body->coupling) states[b].body.p.swap(momenta[b]);
 }
 
 VectorXd static_shapes(std::span<const ContactState> states) {

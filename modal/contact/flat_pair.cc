@@ -26,7 +26,7 @@ class FlatPair final : public SampledPair {
     for (VectorXd* x : {&height_, &gap_, &rate_, &deformed_, &force_, &slope_}) x->resize(n_samples());
   }
 
-  void look(const BodyState& state, const Vector3d& Omega) override {
+  void look(const BodyState& state, const Vector3d& Omega, const VectorXd& rate) override {
     state_ = &state;
     turn_to(state.Q.conjugate() * normal_);
     n_ = reach_.n_reachable(state, [&] { return gaps(state); });
@@ -38,7 +38,7 @@ class FlatPair final : public SampledPair {
       rate_.head(n_).setZero();
       return;
     }
-    rate_.head(n_).noalias() = rows_.leftCols(n_).transpose() * state.p;
+    rate_.head(n_).noalias() = rows_.leftCols(n_).transpose() * rate;
     rate_.head(n_).array() += normal_.dot(state.v);
     if (Omega.isZero(0)) return;
     const Vector3d lever = state.Q.conjugate() * normal_.cross(Omega);  // n . (Omega x r) = (n x Omega) . r

@@ -57,11 +57,23 @@ struct Shapes {
 };
 
 // The other body's surface where the samples of one that comes to it lie at the first touch.
+// Where bodies meet, not everywhere, are a partner's modes these polynomials. What they are bounded by holds for both,
+// polynomials there and mesh everywhere.
+void meet_near(FloatingBasis& partner, Regression near) {
+  for (Index j = 0; j < std::ssize(near.modes); ++j) {
+    const auto u = partner.displacement.col(j).reshaped(3, partner.points.cols());
+    const double largest = u.colwise().norm().maxCoeff();
+    double& bound = partner.bounds.value[j];
+    bound = std::max(bound, (1 + near.modes[static_cast<size_t>(j)].largest_residual) * largest);
+  }
+  partner.geometry = std::move(near);
+}
+
 std::shared_ptr<const PartnerSurface> surface_of_partner(const Model& model, const Body& body, const Meeting& meeting,
-                                                         const Matrix3Xd& samples, size_t other,
-                                                         const Shapes& of_other) {
-  const Body& partner = model.scene->bodies[other];
-  const FullModel& full = *model.bodies[other].full;
+                                                         const Matrix3Xd& samples, const FloatingBasis& other,
+                                                         const MatrixXd& Psi) {
+  const Body& partner = model.scene->bodies[other.place];
+  const FullModel& full = *model.bodies[other.place].full;
   const Pose pose = Approach(*model.scene, body, &partner).pose(std::isfinite(meeting.t) ? meeting.t : 0);
   Matrix3Xd feet(3, samples.cols());
   for (Index i = 0; i < samples.cols(); ++i) {
@@ -69,16 +81,13 @@ std::shared_ptr<const PartnerSurface> surface_of_partner(const Model& model, con
     const Distance d = signed_distance(partner.shape, y);
     feet.col(i) = y - d.value * d.gradient;
   }
-  const MatrixXd& Psi = of_other.Psi;
   MatrixXd static_at(3 * samples.cols(), Psi.cols());
   if (Psi.cols() > 0) static_at = full.displacement_at(feet) * Psi;
-  const Regression near =
-      polynomials_near(partner.shape, full, of_other.Phi, meeting.Y, partner_reach * extent(body.shape));
   return std::make_shared<const PartnerSurface>(
-      partner_surface(other, partner.shape, near.basis, std::move(feet), static_at));
+      partner_surface(other.place, partner.shape, other.geometry.basis, std::move(feet), static_at));
 }
 
-std::vector<SampledContact> sampled_contacts(const Model& model, const FloatingBases& bases, size_t i,
+std::vector<SampledContact> sampled_contacts(const Model& model, FloatingBases& bases, size_t i,
                                              const std::vector<Shapes>& shapes, double finest) {
   const Scene& scene = *model.scene;
   const Body& body = scene.bodies[i];
@@ -92,10 +101,13 @@ std::vector<SampledContact> sampled_contacts(const Model& model, const FloatingB
                                                  : samples(body, full, meeting, bases[i].geometry.basis, Psi, finest),
                    surface, law_of(pair, meeting.size)});
     all.back().tables = std::make_shared<const SampleTables>(sample_tables(all.back().samples));
-    for (const FloatingBasis& other : bases) {
-      if (scene.bodies[other.place].name != pair.obstacle) continue;
-      all.back().partner =
-          surface_of_partner(model, body, meeting, all.back().samples.X, other.place, shapes[other.place]);
+    for (FloatingBasis& other : bases) {
+      const Body& partner = scene.bodies[other.place];
+      if (partner.name != pair.obstacle) continue;
+      const auto& [Phi_other, Psi_other] = shapes[other.place];
+      meet_near(other, polynomials_near(partner.shape, *model.bodies[other.place].full, Phi_other, meeting.Y,
+                                        partner_reach * extent(body.shape)));
+      all.back().partner = surface_of_partner(model, body, meeting, all.back().samples.X, other, Psi_other);
       all.back().tree = std::make_shared<const SampleTree>(sample_tree(all.back()));
     }
   }

@@ -22,9 +22,10 @@ struct FloatingBasis {
   size_t place;  // of the body in the scene
   FloatingBody body;
   BodyState start;
-  Regression geometry;                          // of the elastic modes by polynomials: what the contact sees of them;
-                                                // of none for bodies of beam and plate theory
-  ShapeBounds bounds;                           // of these polynomials
+  Regression geometry;                          // of the elastic modes by polynomials: what the contact sees of them,
+                                                // of a body that another one meets near that; of none for bodies of
+                                                // beam and plate theory
+  ShapeBounds bounds;                           // of these polynomials; their values there of the mesh, too
   Matrix3Xd points;                             // [m] evaluation points, body frame
   MatrixXd displacement, strain;                // of elastic modes at the points: 3 p x r, 6 p x r
   MatrixXd static_displacement, static_strain;  // of static shapes

@@ -1,6 +1,7 @@
 #include "modal/contact/reach.h"
 #include "modal/contact/sample_tables.h"
 #include "modal/contact/sampled_pair.h"
+#include "modal/frame/turn.h"
 
 namespace mb {
 
@@ -18,7 +19,7 @@ class GeneralPair final : public SampledPair {
         x_(3, contact.samples.w.size()),
         v_(3, contact.samples.w.size()) {}
 
-  void look(const BodyState& state, const Vector3d& Omega) override {
+  void look(const BodyState& state, const Vector3d& Omega, const VectorXd& rate) override {
     state_ = &state;
     n_ = reach_.n_reachable(state, [&] { return gaps(state); });
     const Eigen::Matrix3d Q = state.Q.toRotationMatrix();
@@ -27,7 +28,7 @@ class GeneralPair final : public SampledPair {
       const auto Phi = Phi_.middleCols(3 * i, 3);
       const Vector3d r = Q * (contact_.samples.X.col(i) + Phi.transpose() * state.q);
       x_.col(k) = state.c + r;
-      v_.col(k) = state.v + Omega.cross(r) + Q * (Phi.transpose() * state.p);
+      v_.col(k) = state.v + Omega.cross(r) + Q * (Phi.transpose() * rate);
     }
   }
 
@@ -94,10 +95,6 @@ class GeneralPair final : public SampledPair {
   }
 
  private:
-  // Of theta -> theta x arm.
-  static Eigen::Matrix3d turning(const Vector3d& arm) {
-    return (Eigen::Matrix3d() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0).finished();
-  }
   VectorXd gaps(const BodyState& state) const {
     VectorXd all(contact_.samples.w.size());
     for (Index i = 0; i < all.size(); ++i) {

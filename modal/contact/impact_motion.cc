@@ -29,12 +29,12 @@ T hermite(const T& a, const T& rate_a, const T& b, const T& rate_b, double h, do
          x * x * (x - 1) * h * rate_b;
 }
 
-BodyState between(const BodyState& a, const BodyState& b, double h, double x) {
+BodyState between(const FloatingBody& body, const BodyState& a, const BodyState& b, double h, double x) {
   return {.c = hermite<Vector3d>(a.c, a.v, b.c, b.v, h, x),
           .v = mean<Vector3d>(a.v, b.v, x),
           .Q = a.Q.slerp(x, b.Q),
           .L = mean<Vector3d>(a.L, b.L, x),
-          .q = hermite<VectorXd>(a.q, a.p, b.q, b.p, h, x),
+          .q = hermite<VectorXd>(a.q, rates(body, a), b.q, rates(body, b), h, x),
           .p = mean<VectorXd>(a.p, b.p, x),
           .s = mean<VectorXd>(a.s, b.s, x)};
 }
@@ -225,7 +225,7 @@ class Run {
         of.dissipated = mean(a.dissipated, b.dissipated, x);
         const double energy_a = mechanical_energy(body, a.body) + a.load.stored,
                      energy_b = mechanical_energy(body, b.body) + b.load.stored;
-        record(motions_[k], between(a.body, b.body, step_, x), mean<Vector3d>(a.load.force, b.load.force, x), of,
+        record(motions_[k], between(body, a.body, b.body, step_, x), mean<Vector3d>(a.load.force, b.load.force, x), of,
                mean(a.load.stored, b.load.stored, x), mean(energy_a, energy_b, x));
       }
     }

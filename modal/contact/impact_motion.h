@@ -3,8 +3,8 @@
 //
 //   flight -- next_touch --> steps h from that very time -- no sample presses and the gap grows --> flight
 //
-// No step is taken in flight, but where rotation and modes are coupled (coupled_flow.h), and no contact is evaluated
-// where bodies cannot meet.
+// No step is taken in flight, but where rotation and modes are coupled or loads act (coupled_flow.h), and no contact is
+// evaluated where bodies cannot meet.
 #pragma once
 
 #include <span>

@@ -72,13 +72,13 @@ double Meetings::clear_for(const Pair& of, const Sight& now, double end) const {
   const double d = at_rest.value - of.radius - u;
   if (!(d > 0)) return 0;
   const Vector3d n = now.b.Q * at_rest.gradient, v = now.a.v - now.b.v, g = pull(a) - pull(b);
-  // a's centre as seen from b, which turns no faster than its momentum lets it.
-  const double J = b.body.free ? Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(b.body.inertia).eigenvalues()[0] : 1;
-  const double Omega = b.body.free ? std::max(now.Omega_b.norm(), now.b.L.norm() / J) : 0;
+  // a's centre as seen from b.
+  const double Omega = b.body.free ? flight_bounds(b.body, b.bounds, now.b, end - now.t)->Omega : 0;
   if (Omega == 0) return time_to_close(d, n.dot(v), -n.dot(g));
-  // d <= v t + (g + 2 Omega v) t^2 / 2 while Omega t is small; beyond that another look.
-  const double most = v.norm() + Omega * apart.norm();
-  return std::min(time_to_close(d, n.dot(v) - Omega * apart.norm(), g.norm() + 2 * Omega * most), 0.1 / Omega);
+  // d <= v t + (g + 2 Omega (v + g t)) t^2 / 2 while Omega t is small; beyond that another look.
+  const double most = v.norm() + Omega * apart.norm(), small = 0.1;
+  return std::min(time_to_close(d, n.dot(v) - Omega * apart.norm(), (1 + 2 * small) * g.norm() + 2 * Omega * most),
+                  small / Omega);
 }
 
 double Meetings::open_for(const Pair& of, const Sight& now) const {

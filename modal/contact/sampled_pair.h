@@ -11,8 +11,9 @@ namespace mb {
 class SampledPair {
  public:
   virtual ~SampledPair() = default;
-  // Takes in a state: the samples in reach, their gaps and rates but for the static shapes. Omega [rad/s] world.
-  virtual void look(const BodyState& state, const Vector3d& Omega) = 0;
+  // Takes in a state: the samples in reach, their gaps and rates but for the static shapes. Omega [rad/s] world; rate
+  // [m kg^1/2 / s] q'.
+  virtual void look(const BodyState& state, const Vector3d& Omega, const VectorXd& rate) = 0;
   // Adds sum Psi_i^T Q^T f_i to f_s and what it loses by s, - d f_s / d s, to H.
   virtual void push(const VectorXd& s, VectorXd& f_s, MatrixXd& H) = 0;
   // Whether no sample beyond those looked at can press with static shapes s; if not, look again.

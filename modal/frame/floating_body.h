@@ -28,7 +28,7 @@ struct SurfaceSamples {
 };
 
 // The surface of another body, as samples meet it: the shape, carried by its modes. What its static shapes do is known
-// where the samples lie at the first touch. Made by partner_surface (surface_polynomials.h).
+// where the samples lie at the first touch. Made by partner_surface (modal/contact/surface_polynomials.h).
 struct PartnerSurface {
   size_t body;                    // its place among the bodies that move together
   Shape shape;                    // convex
@@ -39,8 +39,8 @@ struct PartnerSurface {
   VectorXd largest_q, largest_s;  // r, n_s: bounds of each mode's and static shape's displacement
 };
 
-struct SampleTables;  // sample_tables.h
-class SampleTree;     // sample_tree.h
+struct SampleTables;  // modal/contact/sample_tables.h
+class SampleTree;     // modal/contact/sample_tree.h
 struct SpinCoupling;  // spin.h
 struct FrameLoads;    // frame_loads.h
 

@@ -14,4 +14,9 @@ inline Eigen::Quaterniond turned(const Eigen::Quaterniond& Q, const Vector3d& ro
   return (Eigen::Quaterniond(std::cos(half), v.x(), v.y(), v.z()) * Q).normalized();
 }
 
+// Of theta -> theta x arm.
+inline Eigen::Matrix3d turning(const Vector3d& arm) {
+  return (Eigen::Matrix3d() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0).finished();
+}
+
 }  // namespace mb
