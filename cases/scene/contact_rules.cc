@@ -52,6 +52,23 @@ void check_company(Section& root, const std::vector<BodyDraft>& bodies, const Co
   }
 }
 
+// Of finite strain all bodies are one system, whose mass damping is one number.
+void check_damping_together(Section& root, const std::vector<BodyDraft>& bodies) {
+  const auto is_finite = [](const BodyDraft& body) { return body.kinematics == Kinematics::finite; };
+  const std::vector<Section> sections = root.sections("body", {1, 64});
+  if (std::ranges::none_of(bodies, is_finite)) return;
+  for (size_t i = 1; i < bodies.size() && i < sections.size(); ++i) {
+    const double alpha = bodies[i].damping.rayleigh.alpha, first = bodies[0].damping.rayleigh.alpha;
+    if (alpha != first)
+      root.findings().error(
+          sections[i].where(),
+          fmt::format("body '{}' has alpha = {:g}, body '{}' {:g}: where one is of finite kinematics, "
+                      "all must have the same",
+                      bodies[i].name.value_or(""), alpha, bodies[0].name.value_or(""), first),
+          "beta may differ");
+  }
+}
+
 void check_with_contact(Section& root, const std::vector<BodyDraft>& bodies) {
   if (states_any(root, "load")) refuse_with_contact(root.findings(), root.where_key("load"), "a load");
   for (const BodyDraft& body : bodies) {
@@ -92,6 +109,7 @@ void check_contact_rules(Section& root, const std::vector<BodyDraft>& bodies, co
     ++i;
   }
   check_company(root, bodies, contacts);
+  check_damping_together(root, bodies);
   if (!contacts.any) return;
   check_with_contact(root, bodies);
   if (stays(root, bodies, contacts, gravity)) {

@@ -191,6 +191,14 @@ TEST(ContactRules, some_things_cannot_be_simulated_together_with_contact) {
       << "whatever else is wrong with it";
 }
 
+TEST(ContactRules, bodies_of_finite_strain_share_their_mass_damping) {
+  const std::string text = test::content(test::cases_folder() / "soft-ball-on-two-by-four.toml");
+  EXPECT_EQ(problems_of_text(text), "");
+  EXPECT_TRUE(
+      says(with(text, "beta = 2e-5  #", "alpha = 4\nbeta = 2e-5  #"),
+           "body 'board' has alpha = 4, body 'ball' 0: where one is of finite kinematics, all must have the same"));
+}
+
 TEST(ContactRules, a_body_with_supports_starts_at_rest) {
   std::string text =
       with(contact_text(), "[body.material]", "[[body.support]]\nkind = \"mean\"\nface = \"surface\"\n[body.material]");
