@@ -62,6 +62,16 @@ TEST(CoupledImpact, ConvergesWithOrderTwo) {
   EXPECT_GT(apart(end_of(2.5e-6, false).state, truth.state), 10 * apart(fine.state, truth.state));  // it matters
 }
 
+// Momenta are no velocities there.
+TEST(CoupledImpact, MovesBetweenStepsByItsVelocities) {
+  const double h = 2e-5, d = h / 100;
+  const ImpactPlan plan = corner_first(h, true);
+  const double t = impact_motion(plan, VectorXd::Constant(1, 0.06)).contact.touches.front().start + 20 * h;
+  const ImpactMotion motion = impact_motion(plan, VectorXd{{t - d, t, t + d}});
+  const VectorXd moved = (motion.states[2].q - motion.states[0].q) / (2 * d), rate = rates(plan.body, motion.states[1]);
+  EXPECT_LT((moved - rate).norm(), 0.01 * (motion.states[1].p - rate).norm());
+}
+
 TEST(CoupledImpact, HasStepsOfOneSchemeOnly) {
   for (const ContactScheme scheme : {ContactScheme::newmark, ContactScheme::symplectic_euler}) {
     ImpactPlan plan = corner_first(1e-4, true);

@@ -151,6 +151,32 @@ TEST(FloatingAnswer, CentroidGoesWhereImpulsesTakeIt) {
 }
 
 // Static shapes are the local compliance that few modes lack: the touch lasts longer and is weaker.
+// Polynomials in a box about the first touch say nothing of a slender body's ends.
+TEST(FloatingBases, BoundAPartnerByItsMesh) {
+  Scene scene = *dropped({0, 0, -1});
+  Body board = one_body(Box{{1.2, 0.09, 0.04}}, {1e9, 0.3, 900, {}}, {2, {24, 1, 1}}).bodies[0];
+  board.name = "board";
+  board.pose.position = scene.bodies[0].pose.position - Vector3d(0, 0, 0.5);
+  scene.bodies.push_back(board);
+  scene.obstacles.clear();
+  scene.contacts[0].obstacle = "board";
+  scene.gravity.setZero();
+  scene.duration = 1;
+  const Model model = build_model(std::make_shared<const Scene>(scene));
+  std::vector<Modes> modes;
+  for (size_t i = 0; i < 2; ++i)
+    modes.push_back(
+        lowest_modes(model.bodies[i].full->system(), i == 0 ? 20 : 80, physical_shift(model.scene->bodies[i])));
+  const FloatingBases bases = floating_bases(model, modes, false);
+  const FloatingBasis& of = bases[1];
+  ASSERT_GT(of.displacement.cols(), 75);
+  for (Index j = 0; j < of.displacement.cols(); ++j) {
+    const double largest = of.displacement.col(j).reshaped(3, of.points.cols()).colwise().norm().maxCoeff();
+    EXPECT_GE(of.bounds.value[j], largest) << j;
+    EXPECT_LT(of.geometry.modes[static_cast<size_t>(j)].residual, 0.2) << "near the touch, where it is met: " << j;
+  }
+}
+
 TEST(FloatingAnswer, StaticShapesGiveWay) {
   const Model model = build_model(dropped());
   const Modes few = modes_of(model, 6);
