@@ -70,6 +70,7 @@ endif()
 
 # Tests are found by gtest_discover_tests; a test suite whose name ends in "Verification" carries the label
 # `verification` (an independent target), "Cases" the label `cases` (runs the program), all others `unit`.
+# Under sanitizers a program takes a second to load: unit tests run in a few processes of hundreds each.
 function(mb_tests name)
   if(NOT BUILD_TESTING)
     return()
@@ -91,6 +92,15 @@ function(mb_tests name)
     PROPERTIES LABELS verification TIMEOUT 300)
   gtest_discover_tests(${name}_test TEST_FILTER *Cases.* TEST_LIST ${name}_cases ${common}
     PROPERTIES LABELS cases TIMEOUT 600)
-  gtest_discover_tests(${name}_test TEST_FILTER -*Verification.*:*Cases.* TEST_LIST ${name}_unit ${common}
-    PROPERTIES LABELS unit TIMEOUT 120)
+  set(unit -*Verification.*:*Cases.*)
+  if(NOT MODALBENCH_SANITIZE)
+    gtest_discover_tests(${name}_test TEST_FILTER ${unit} TEST_LIST ${name}_unit ${common}
+      PROPERTIES LABELS unit TIMEOUT 120)
+    return()
+  endif()
+  foreach(shard RANGE 3)
+    add_test(NAME ${name}.unit.${shard} COMMAND ${name}_test --gtest_brief=1 --gtest_filter=${unit})
+    set_tests_properties(${name}.unit.${shard} PROPERTIES LABELS unit TIMEOUT 1800
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${shard}")
+  endforeach()
 endfunction()

@@ -54,9 +54,9 @@ Scene empty(double duration) {
 }
 
 // The plane of symmetry between two like balls is a rigid floor to either, whose layer half as deep is twice as stiff.
-class TwoLikeBalls : public ::testing::TestWithParam<Kinematics> {};
+class TwoLikeBallsVerification : public ::testing::TestWithParam<Kinematics> {};
 
-TEST_P(TwoLikeBalls, MeetAsOneMeetsItsMirror) {
+TEST_P(TwoLikeBallsVerification, MeetAsOneMeetsItsMirror) {
   Scene both = empty(0.008);
   both.bodies = {ball("upper", GetParam(), {0, 0, R + 1e-3}, {0, 0, -speed}),
                  ball("lower", GetParam(), {0, 0, -R - 1e-3}, {0, 0, speed})};
@@ -75,7 +75,7 @@ TEST_P(TwoLikeBalls, MeetAsOneMeetsItsMirror) {
   EXPECT_NEAR(met.impulse[2], mirrored.impulse[2], 3e-3 * mirrored.impulse[2]);
 }
 
-TEST_P(TwoLikeBalls, HandOverMomentumAndKeepEnergy) {
+TEST_P(TwoLikeBallsVerification, HandOverMomentumAndKeepEnergy) {
   Scene scene = empty(0.02);
   scene.bodies = {ball("small", GetParam(), {0, 0, R + 1e-3}, {0.2, 0, -speed}),
                   ball("big", GetParam(), {0.01, 0, -R - 1e-3}, {0, 0, 0})};
@@ -118,11 +118,12 @@ TEST_P(TwoLikeBalls, HandOverMomentumAndKeepEnergy) {
   EXPECT_LT(E[end], 0.999 * brought);  // Rayleigh's damping
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinematics, TwoLikeBalls, ::testing::Values(Kinematics::linear, Kinematics::finite),
+INSTANTIATE_TEST_SUITE_P(Kinematics, TwoLikeBallsVerification,
+                         ::testing::Values(Kinematics::linear, Kinematics::finite),
                          [](const auto& of) { return std::string(to_string(of.param)); });
 
 // Forces act at one point, friction is none: what steps leave is left.
-TEST(TwoBodies, OfFiniteStrainKeepAngularMomentumToTheTolerance) {
+TEST(TwoBodiesVerification, OfFiniteStrainKeepAngularMomentumToTheTolerance) {
   Scene scene = empty(0.008);
   scene.bodies = {ball("small", Kinematics::finite, {0, 0, R + 1e-3}, {0.2, 0, -speed}),
                   ball("big", Kinematics::finite, {0.01, 0, -R - 1e-3}, {0, 0, 0})};

@@ -66,6 +66,17 @@ Json findings_json(const Evaluation& evaluation) {
   return groups;
 }
 
+// The case on which the page opens: the one whose speed-up is nearest to the headline's median; null where none counts.
+Json opening_json(const Verdict& verdict) {
+  const SpeedUp* opening = nullptr;
+  const auto distance = [&](const SpeedUp& one) { return std::abs(std::log(one.ratio / *verdict.median)); };
+  for (const SpeedUp& one : verdict.at_target) {
+    if (!one.rival.empty() && (!opening || distance(one) < distance(*opening))) opening = &one;
+  }
+  if (!opening) return nullptr;
+  return {{"case", opening->error.case_name}, {"profile", opening->error.profile}};
+}
+
 Json verdict_json(const Verdict& verdict) {
   Json json = {{"cases", verdict.n_cases},
                {"cases_within", verdict.n_cases_within},
@@ -77,7 +88,8 @@ Json verdict_json(const Verdict& verdict) {
                {"compared", verdict.n_compared},
                {"failed_runs", verdict.n_failed_runs},
                {"unstable_runs", verdict.n_unstable_runs},
-               {"sentences", verdict.sentences}};
+               {"sentences", verdict.sentences},
+               {"opening", opening_json(verdict)}};
   json["median"] = verdict.median ? Json(format_number(*verdict.median)) : Json(nullptr);
   return json;
 }

@@ -106,6 +106,21 @@ TEST(Page, DataCannotLeaveTheirElement) {
   EXPECT_EQ(Json::parse(text)["name"], "</script><!-- <script>alert(1)</script>");
 }
 
+TEST(Page, OpensOnTheCaseOfTheMedianSpeedUp) {
+  ReportInput input;
+  const auto add = [&](const std::string& name, const Contender& contender, double seconds) {
+    input.records.push_back(synthetic::record("displacement-error", 5e-3, 0, contender));
+    input.records.push_back(synthetic::seconds("online-time", seconds, contender));
+    for (std::size_t i = input.records.size() - 2; i < input.records.size(); ++i) input.records[i].case_name = name;
+  };
+  for (const auto& [name, rival] : {std::pair{"a", 3.0}, {"b", 50.0}, {"c", 400.0}, {"without-rival", 0.0}}) {
+    add(name, synthetic::reduced("eigenmodes", 8), 1);
+    if (rival > 0) add(name, synthetic::full(2, {1, 2}, 0.01), rival);
+  }
+  EXPECT_EQ(page_json(evaluate(std::move(input)))["verdict"]["opening"], (Json{{"case", "b"}, {"profile", "quick"}}));
+  EXPECT_EQ(page_json(evaluate(ReportInput{}))["verdict"]["opening"], nullptr);
+}
+
 TEST(Page, ATemplateWithoutAPlaceForTheDataIsRefused) {
   EXPECT_THROW(page(evaluate(synthetic::input()), "<html></html>"), std::logic_error);
   EXPECT_THAT(page(evaluate(ReportInput{}), "[@REPORTJSON@]"), testing::StartsWith("[{\"schema\":1"));

@@ -74,6 +74,7 @@ export interface Report {
     unstable_runs: number;
     median: string | null;
     sentences: string[];
+    opening: { case: string; profile: string } | null; // the page opens on it
   };
   cases: {
     name: string;

@@ -17,6 +17,7 @@ type Key = 'case' | 'norm' | 'truth';
 export class Selectors {
   private groups: { case: string; profile: string; name: string; quantities: Set<number>; truths: Set<number> }[] = [];
   private menus: Record<Key, HTMLSelectElement>;
+  private opening = '';
 
   constructor(
     private report: Report,
@@ -42,6 +43,8 @@ export class Selectors {
       truth: this.menu('truth', 'Truth'),
     };
     this.fill('case', this.groups.map((group) => [group.name, group.name]));
+    const { opening } = report.verdict;
+    if (opening) this.opening = groupName(opening.case, opening.profile);
     byId('selectors').addEventListener('submit', (event) => event.preventDefault());
     this.follow();
   }
@@ -68,14 +71,16 @@ export class Selectors {
     return one.subject ? `${one.metric}:${one.subject}` : one.metric;
   }
 
-  // What the hash names and the case does not offer: the same metric of another body, else the first choice.
+  // What the hash names and the case does not offer: the same metric of another body, else the first choice: of cases
+  // the one on which the page opens.
   private choose(key: Key): void {
     const select = this.menus[key],
       wanted = this.state.get(key),
       values = [...select.options].map((option) => option.value);
     const [metric] = wanted.split(':');
     const alike = values.find((value) => value === wanted) ?? values.find((value) => value.split(':')[0] === metric);
-    if (values.length) select.value = alike ?? values[0];
+    const first = key === 'case' && values.includes(this.opening) ? this.opening : values[0];
+    if (values.length) select.value = alike ?? first;
   }
 
   follow(): void {

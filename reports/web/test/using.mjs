@@ -25,6 +25,11 @@ async function filters({ page, cells }) {
   assert.equal((await cells('method')).length, all);
 }
 
+async function opensOnTheMedian({ choice, data }) {
+  const { opening } = (await data()).verdict;
+  if (opening) assert.equal((await choice())[0], `${opening.case} (${opening.profile})`);
+}
+
 async function selects({ page, isReady, forgetReady }) {
   const title = () => page.$eval('#work svg', (svg) => svg.textContent);
   const before = await title();
@@ -110,6 +115,7 @@ async function worksByKeyboard({ page, heading }) {
 export const steps = [
   ['sorts by value in both directions and back', sorts],
   ['filters by words', filters],
+  ['it opens on the case whose speed-up is the median', opensOnTheMedian],
   ['selectors change plots and hash', selects],
   ['the hash restores the view', restoresTheView],
   ['every download yields a file', downloads],
