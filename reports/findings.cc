@@ -15,6 +15,7 @@ struct Section {
 };
 constexpr Section sections[] = {{"budget", "Error budget", true},
                                 {"step-limits", "Step limits", true},
+                                {"stability-map", "Stability", true},
                                 {"aliasing", "Temporal aliasing", true},
                                 {"frequency-response", "Frequency response", false},
                                 {"damping", "Damping", false},

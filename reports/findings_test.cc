@@ -97,9 +97,10 @@ TEST(FindingFigures, AreDrawnOfTheColumnsTheyNeedAndElseNotAtAll) {
   for (const Finding& finding : synthetic::findings("shear")) {
     for (const Figure& figure : finding_figures(finding)) names.insert(figure.name);
   }
-  for (const char* name : {"step-limits", "aliasing-24", "aliasing-120", "frequency-response-squeeze", "budget-M",
-                           "budget-K", "damping", "mode-amplitudes", "collision-cost-sphere-n-m",
-                           "contact-forces-superquadric-depth-0-01", "force-history", "contact-time"}) {
+  for (const char* name :
+       {"step-limits", "aliasing-24", "aliasing-120", "frequency-response-squeeze", "budget-M", "budget-K", "damping",
+        "mode-amplitudes", "collision-cost-sphere-n-m", "contact-forces-superquadric-depth-0-01", "force-history",
+        "contact-time", "stability-map-central-difference", "stability-map-newmark"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
   for (Finding finding : synthetic::findings("shear")) {

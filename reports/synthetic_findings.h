@@ -60,6 +60,26 @@ inline std::vector<Finding> step_limits(const std::string& case_name) {
   return {limits, exponents};
 }
 
+// Stable up to 2/omega, inaccurate from a third of it.
+inline Finding stability(const std::string& case_name) {
+  Finding map = finding(case_name, "stability-map", "stability-map",
+                        {{"integrator", ""}, {"modes r", ""}, {"dt", "s"}, {"found", ""}, {"limit", "s"}});
+  for (const char* integrator : {"central-difference", "newmark"}) {
+    for (const int r : {4, 16, 64}) {
+      for (int i = -6; i < 7; ++i) {
+        const double limit = 0.05 / std::pow(r, 0.6), dt = 0.01 * std::pow(10, i / 4.0);
+        const bool grows = integrator[0] == 'c' && dt > limit;
+        map.rows.push_back({integrator, double(r), dt,
+                            grows            ? "unstable"
+                            : 3 * dt > limit ? "inaccurate"
+                                             : "stable",
+                            integrator[0] == 'c' ? limit : std::numeric_limits<double>::infinity()});
+      }
+    }
+  }
+  return map;
+}
+
 inline std::vector<Finding> aliasing(const std::string& case_name) {
   Finding marks = finding(case_name, "aliasing", "aliasing",
                           {{"frame rate", "1/s"},
@@ -211,6 +231,7 @@ inline std::vector<Finding> of_contact(const std::string& case_name) {
 
 inline std::vector<Finding> findings(const std::string& case_name) {
   std::vector<Finding> all = step_limits(case_name);
+  all.push_back(stability(case_name));
   for (const auto& more : {aliasing(case_name), of_modes(case_name), of_collision(case_name), of_contact(case_name)})
     all.insert(all.end(), more.begin(), more.end());
   all.push_back(budget(case_name));

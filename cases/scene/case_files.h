@@ -19,10 +19,10 @@ inline Vocabulary vocabulary() {
            "momentum-defect", "force-error", "momentum-drift"},
           {"linear", "quadratic", "full"},
           {"sundials"},
-          {"budget", "step-limits", "aliasing", "frequency-response", "mode-amplitudes", "damping", "frequencies",
-           "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact", "flight-cost",
-           "amplitude", "instructions", "slenderness"},
-          {"aliasing", "frequency-response", "probe-extremes", "damping", "slenderness"},
+          {"budget", "step-limits", "stability-map", "aliasing", "frequency-response", "mode-amplitudes", "damping",
+           "frequencies", "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact",
+           "flight-cost", "amplitude", "instructions", "slenderness"},
+          {"stability-map", "aliasing", "frequency-response", "probe-extremes", "damping", "slenderness"},
           {"contact-stiffness", "contact", "flight-cost", "amplitude", "instructions"},
           {"contact-stiffness"}};
 }

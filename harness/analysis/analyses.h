@@ -7,6 +7,10 @@
 //   step-limit-runs           system | modes r | scheme | integrator | dt / limit | dt | steps | growth by theory |
 //                             growth observed | difference of logarithms | verdict
 //   step-limit-exponents      claim | scheme | limits fitted | exponent | standard error | claimed | verdict
+//   stability-map             integrator | modes r | dt | dt / limit | spectral radius | energy | error | found |
+//                             limit | verdict
+//   stability-summary         integrator | cells | stable | inaccurate | unstable | not as predicted |
+//                             too slow to be seen | order | standard error
 //   aliasing                  frame rate | frames | contender | modes r | shutter | sub-samples | aliasing | droop |
 //                             low-band error | frame error
 //   aliasing-claim            claim | frame rate | energy above F/2 | aliasing full order | aliasing cut modal |
@@ -75,6 +79,7 @@ namespace mb {
 
 std::vector<Finding> error_budget(const AnalysisContext& context);
 std::vector<Finding> step_limits(const AnalysisContext& context);
+std::vector<Finding> stability_map(const AnalysisContext& context);
 std::vector<Finding> temporal_aliasing(const AnalysisContext& context);
 std::vector<Finding> frequency_responses(const AnalysisContext& context);
 std::vector<Finding> mode_amplitudes(const AnalysisContext& context);

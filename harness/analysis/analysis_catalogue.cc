@@ -13,6 +13,10 @@ const std::vector<Analysis>& analysis_catalogue() {
        "to finite strain",
        &error_budget},
       {"step-limits", "largest stable steps of explicit schemes, by formula, by bisection and by runs", &step_limits},
+      {"stability-map",
+       "which steps of every integrator are stable, inaccurate and unstable over mode count and step, beside what one "
+       "step's amplification predicts",
+       &stability_map, loaded},
       {"aliasing", "what frames make of motion too fast for them, and what it takes to avoid it", &temporal_aliasing,
        loaded},
       {"frequency-response", "steady response at the first probe over frequency, full against reduced",

@@ -1,0 +1,113 @@
+#include "harness/analysis/stability_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "harness/analysis/step_damping.h"
+#include "harness/analysis/step_limit.h"
+#include "mechanics/system/exact.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double largest_radius(const MappedSystem& mapped, const Scheme& scheme, double dt) {
+  double largest = 0;
+  for (Index i = 0; i < mapped.omega.size(); ++i)
+    largest = std::max(largest, spectral_radius(scheme.amplification(mapped.omega(i) * dt, mapped.zeta(i))));
+  return largest;
+}
+
+// u0 = +-1/omega_i: kinetic energy none, strain energy 1/2 in every elastic mode.
+System in_free_vibration(const MappedSystem& mapped) {
+  const Index n = mapped.system.M.rows(), n_elastic = mapped.omega.size();
+  VectorXd u = VectorXd::Zero(n);
+  for (Index i = 0; i < n_elastic; ++i) u(n - n_elastic + i) = (i % 2 ? -1 : 1) / mapped.omega(i);
+  return let_go(mapped.system, u);
+}
+
+Settings stepping_by(double dt) {
+  Settings settings;
+  settings.time_step = dt;
+  return settings;
+}
+
+double largest_energy(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps) {
+  const System free = in_free_vibration(mapped);
+  const VectorXd times = VectorXd::LinSpaced(n_steps, dt, static_cast<double>(n_steps) * dt);
+  const States states = integrator.prepare(free, stepping_by(dt), times(n_steps - 1))->run(times);
+  if (states.status != Status::ok) return std::numeric_limits<double>::infinity();
+  const VectorXd k = free.K.diagonal();
+  const VectorXd twice = states.v.colwise().squaredNorm().transpose() +
+                         (k.asDiagonal() * states.u).cwiseProduct(states.u).colwise().sum().transpose();
+  return twice.maxCoeff() / static_cast<double>(mapped.omega.size());
+}
+
+double error_of_steps(const MappedSystem& mapped, const Integrator& integrator, double dt) {
+  const double end = mapped.times(mapped.times.size() - 1);
+  const States states = integrator.prepare(mapped.system, stepping_by(dt), end)->run(mapped.times);
+  if (states.status != Status::ok) return std::numeric_limits<double>::infinity();
+  return (states.u.bottomRows(mapped.omega.size()) - mapped.exact).norm() / mapped.exact.norm();
+}
+
+// Energy grows by rho^2 a step at last: what would not pass the bound in these steps is not told from what is stable.
+std::optional<StepClass> prediction(double radius, long n_steps) {
+  if (std::isnan(radius)) return std::nullopt;
+  const double growth = 2 * static_cast<double>(n_steps) * std::log(radius);
+  if (growth <= 1e-6) return StepClass::stable;
+  return growth > 2 * std::log(energy_bound) ? std::optional(StepClass::unstable) : std::nullopt;
+}
+
+}  // namespace
+
+const char* to_string(StepClass of) {
+  switch (of) {
+    case StepClass::stable:
+      return "stable";
+    case StepClass::inaccurate:
+      return "inaccurate";
+    case StepClass::unstable:
+      return "unstable";
+  }
+  return "unknown";
+}
+
+MappedSystem mapped_system(System system, const VectorXd& times, double duration, double load_tolerance) {
+  const Index n_elastic = system.M.rows() - system.R.cols();
+  const VectorXd omega = VectorXd(system.K.diagonal()).tail(n_elastic).cwiseSqrt();
+  VectorXd zeta(n_elastic);
+  for (Index i = 0; i < n_elastic; ++i) {
+    const VectorXd e = VectorXd::Unit(system.M.rows(), system.R.cols() + i);
+    zeta(i) = std::max(0.0, e.dot(apply_damping(system, e)) / (2 * omega(i)));
+  }
+  MatrixXd motion = exact(system, duration, load_tolerance)->run(times).u.bottomRows(n_elastic);
+  return {std::move(system), omega, zeta, times, std::move(motion)};
+}
+
+StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps) {
+  const Scheme* scheme = scheme_of(integrator.name, mapped.system);
+  StepCell cell{dt, scheme ? largest_radius(mapped, *scheme, dt) : nan, n_steps, 0, nan, StepClass::unstable, {}};
+  cell.predicted = prediction(cell.radius, n_steps);
+  cell.energy = largest_energy(mapped, integrator, dt, n_steps);
+  if (!(cell.energy <= energy_bound)) return cell;
+  cell.error = error_of_steps(mapped, integrator, dt);
+  cell.found = cell.error <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
+  return cell;
+}
+
+std::string verdict(const StepCell& cell) {
+  if (std::isnan(cell.radius)) return "no prediction";
+  if (!cell.predicted) return "too slow to be seen";
+  const bool grows = cell.found == StepClass::unstable;
+  return grows == (*cell.predicted == StepClass::unstable) ? "as predicted" : "not as predicted";
+}
+
+double predicted_limit(const MappedSystem& mapped, const std::string& integrator) {
+  const Scheme* scheme = scheme_of(integrator, mapped.system);
+  return scheme ? measured_limit(*scheme, mapped.omega, mapped.zeta).dt : nan;
+}
+
+}  // namespace mb

@@ -1,0 +1,54 @@
+// What steps of one length make of a system, of whatever scheme and whatever it predicts:
+//
+//   unstable     E(t) > 1e4 E(0) in free vibration within so many steps, or no number, or a run that says so
+//   inaccurate   bounded, and under the scene's loads more than 5 % off the closed form
+//   stable       bounded and within that
+//
+// beside rho, the largest spectral radius of the one-step amplification over the modes (mechanics/system/stability.h).
+// Free vibration: from rest, every elastic mode with the same energy. Exact motion only loses energy. What a stable
+// scheme makes of it may swing: central differences at x = omega h by 1/(1 - x^2/4), below 1e4 but for the last
+// hundredth of a per cent before the limit.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cases/contract/method.h"
+#include "mechanics/system/stability.h"
+
+namespace mb {
+
+enum class StepClass { stable, inaccurate, unstable };
+const char* to_string(StepClass of);  // "stable", "inaccurate", "unstable"
+
+constexpr double energy_bound = 1e4;      // [-] of E(t)/E(0)
+constexpr double inaccurate_from = 0.05;  // [-] of the error in the M norm over the scene's sample times
+
+// A system in modal coordinates, as project() makes it: M = I, K diagonal, the first R.cols() coordinates rigid.
+struct MappedSystem {
+  System system;
+  VectorXd omega, zeta;  // [rad/s], [-] of its elastic modes
+  VectorXd times;        // [s] of the scene's samples
+  MatrixXd exact;        // elastic coordinates in closed form at these, n_elastic x n_t
+};
+// duration [s] bounds the times.
+MappedSystem mapped_system(System system, const VectorXd& times, double duration, double load_tolerance);
+
+struct StepCell {
+  double dt;
+  double radius;  // [-] rho; NaN where no scheme is known to step as the integrator does
+  long n_steps;   // of free vibration
+  double energy;  // [-] largest E(t)/E(0); infinity: no number
+  double error;   // [-] NaN where unstable
+  StepClass found;
+  std::optional<StepClass> predicted;  // whether unstable, else stable; none: unknown, or growth too slow to be seen
+};
+StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps);
+
+// "as predicted", "not as predicted", "too slow to be seen", "no prediction"
+std::string verdict(const StepCell& cell);
+
+// dt [s] where rho passes 1; 0: at any step; infinity: nowhere; NaN: unknown.
+double predicted_limit(const MappedSystem& mapped, const std::string& integrator);
+
+}  // namespace mb

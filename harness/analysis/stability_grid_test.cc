@@ -1,0 +1,79 @@
+#include "harness/analysis/stability_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness/analysis/oscillators_test.h"
+#include "harness/catalogue.h"
+
+namespace mb {
+namespace {
+
+const VectorXd omega{{10, 25, 80}};
+
+MappedSystem under_a_pulse(const Rayleigh& damping) {
+  System system = test::oscillators(omega, damping);
+  system.F = VectorXd{{1, -2, 3}};
+  system.s = {Pulse{.duration = 0.5}};
+  return mapped_system(system, VectorXd::LinSpaced(101, 0, 1), 1, 1e-6);
+}
+
+StepCell cell(const MappedSystem& mapped, const std::string& integrator, double dt) {
+  return step_cell(mapped, default_catalogue().integrator(integrator), dt, 1000);
+}
+
+TEST(StabilityGrid, ExplicitStepsAreUnstableBeyondTheLimitOfTheirAmplification) {
+  for (const double beta : {0.0, 1e-3}) {
+    const MappedSystem mapped = under_a_pulse({0, beta});
+    for (const char* name : {"central-difference", "symplectic-euler"}) {
+      const double limit = predicted_limit(mapped, name);
+      EXPECT_NEAR(limit, beta == 0 ? 2.0 / 80 : limit, 1e-8);
+      for (const double factor : {0.02, 0.3, 0.99, 1.02, 3.0, 30.0}) {
+        const StepCell one = cell(mapped, name, factor * limit);
+        EXPECT_EQ(one.found == StepClass::unstable, factor > 1) << name << " " << factor;
+        EXPECT_EQ(one.radius > 1 + 1e-9, factor > 1) << name << " " << factor;
+        EXPECT_EQ(verdict(one), "as predicted") << name << " " << factor;
+        EXPECT_TRUE(one.found == StepClass::stable || factor > 0.02) << name << " " << factor;
+      }
+    }
+  }
+}
+
+TEST(StabilityGrid, AverageAccelerationIsStableAtAnyStepAndInaccurateAtLargeOnes) {
+  const MappedSystem mapped = under_a_pulse({});
+  EXPECT_TRUE(std::isinf(predicted_limit(mapped, "newmark")));
+  EXPECT_EQ(cell(mapped, "newmark", 1e-3).found, StepClass::stable);
+  const StepCell large = cell(mapped, "newmark", 0.4);
+  EXPECT_EQ(large.found, StepClass::inaccurate);
+  EXPECT_NEAR(large.radius, 1, 1e-12);
+  EXPECT_LT(large.energy, 1 + 1e-9);
+  EXPECT_EQ(verdict(large), "as predicted");
+}
+
+TEST(StabilityGrid, GrowthTooSlowForTheRunIsNotCalledStability) {
+  const MappedSystem undamped = under_a_pulse({});
+  EXPECT_EQ(predicted_limit(undamped, "explicit-euler"), 0);
+  const StepCell slow = cell(undamped, "explicit-euler", 1e-4);  // grows by 6.4e-5 a period of the highest mode
+  EXPECT_GT(slow.radius, 1);
+  EXPECT_FALSE(slow.predicted.has_value());
+  EXPECT_EQ(verdict(slow), "too slow to be seen");
+  const StepCell fast = cell(undamped, "explicit-euler", 0.01);
+  EXPECT_EQ(fast.found, StepClass::unstable);
+  EXPECT_EQ(verdict(fast), "as predicted");
+}
+
+// Rigid motion is no error and no growth: a free mode accelerates as it should.
+TEST(StabilityGrid, RigidModesDrift) {
+  System system = test::oscillators(VectorXd{{0, 30}}, {});
+  system.R = MatrixXd::Identity(2, 1);
+  system.F = VectorXd{{1000, 1}};
+  system.s = {Step{}};
+  const MappedSystem mapped = mapped_system(system, VectorXd::LinSpaced(101, 0, 1), 1, 1e-6);
+  ASSERT_EQ(mapped.omega.size(), 1);
+  EXPECT_EQ(cell(mapped, "newmark", 1e-3).found, StepClass::stable);
+  EXPECT_NEAR(cell(mapped, "newmark", 1e-3).energy, 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace mb

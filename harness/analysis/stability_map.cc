@@ -1,0 +1,130 @@
+// A grid of steps and mode counts for every integrator of fixed step: where it is stable, where it is exact enough, and
+// whether the amplification of one step says so before.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "harness/analysis/analyses.h"
+#include "harness/analysis/modal_body.h"
+#include "harness/analysis/power_law.h"
+#include "harness/analysis/stability_grid.h"
+#include "modal/methods/projection.h"
+
+namespace mb {
+
+namespace {
+
+constexpr int counts_mapped = 5, steps_a_decade = 4;
+constexpr long steps_of_vibration = 1000, most_steps = 50000;
+constexpr double past_the_limit = 10;  // [-] the grid ends so far beyond the limit of the slowest system
+
+Finding map_table() {
+  return table(
+      "stability-map", "stability-map", "Steps that are stable, inaccurate and unstable",
+      "Every integrator of fixed step on the modes of the mesh, over mode count and step. Unstable: the energy "
+      "of free vibration, all modes alike, passes 1e4 of what it was within 1000 steps, or there is no number. "
+      "Inaccurate: bounded, and under the scene's loads more than 5 % off the closed form of the same modes "
+      "(M norm, elastic part). Spectral radius: the largest of one step over the modes; limit: the step where "
+      "it passes 1. Growth that would not show in 1000 steps is too slow to be seen.",
+      {{"integrator", ""},
+       {"modes r", ""},
+       {"dt", "s"},
+       {"dt / limit", "-"},
+       {"spectral radius", "-"},
+       {"energy", "-"},
+       {"error", "-"},
+       {"found", ""},
+       {"limit", "s"},
+       {"verdict", ""}});
+}
+
+Finding summary_table() {
+  return table("stability-map", "stability-summary", "Whether steps do what the amplification says, and converge",
+               "Cells of the map by what was found. Order: exponent of the error over the steps of the largest mode "
+               "count whose error lies between 1e-9 and a tenth. A load that jumps within a step makes every scheme "
+               "one of first order.",
+               {{"integrator", ""},
+                {"cells", ""},
+                {"stable", ""},
+                {"inaccurate", ""},
+                {"unstable", ""},
+                {"not as predicted", ""},
+                {"too slow to be seen", ""},
+                {"order", "-"},
+                {"standard error", "-"}});
+}
+
+std::vector<MappedSystem> mapped_systems(const AnalysisContext& context) {
+  const std::vector<int> counts = few(mode_counts(context), counts_mapped);
+  const ModalBody body = modal_body(context, counts.back());
+  const Scene& scene = *context.scene;
+  std::vector<MappedSystem> all;
+  for (const int r : counts) {
+    const Modes kept = leading(body.modes, r);
+    if (kept.size() == kept.n_rigid || (!all.empty() && kept.size() == all.back().system.M.rows())) continue;
+    all.push_back(
+        mapped_system(project(body.system, kept), sample_times(scene), scene.duration, scene.study.load_tolerance));
+  }
+  return all;
+}
+
+// From a tenth of the least 2/omega, or as many steps as one run may take, to past all of them, at most the duration.
+std::vector<double> steps_of_grid(const std::vector<MappedSystem>& all, double duration) {
+  const auto limit = [](const MappedSystem& mapped) { return 2 / mapped.omega(mapped.omega.size() - 1); };
+  const double first = std::max(0.1 * limit(all.back()), duration / static_cast<double>(most_steps));
+  const double last = std::min(duration, past_the_limit * limit(all.front()));
+  std::vector<double> steps;
+  for (int i = 0; i == 0 || steps.back() < last; ++i) steps.push_back(first * std::pow(10., i * 1. / steps_a_decade));
+  return steps;
+}
+
+struct Summary {
+  double stable = 0, inaccurate = 0, unstable = 0, otherwise = 0, slow = 0;
+  std::vector<double> dt, error;  // of the largest mode count
+
+  void add(const StepCell& cell) {
+    (cell.found == StepClass::stable ? stable : cell.found == StepClass::inaccurate ? inaccurate : unstable) += 1;
+    if (verdict(cell) == "not as predicted") otherwise += 1;
+    if (verdict(cell) == "too slow to be seen") slow += 1;
+  }
+  void keep_error(const StepCell& cell) {
+    if (!(cell.error > 1e-9 && cell.error < 0.1)) return;
+    dt.push_back(cell.dt);
+    error.push_back(cell.error);
+  }
+  std::vector<FindingCell> row(const std::string& integrator) const {
+    const auto n = static_cast<Index>(dt.size());
+    const PowerLaw law =
+        power_law(Eigen::Map<const VectorXd>(dt.data(), n), Eigen::Map<const VectorXd>(error.data(), n));
+    return {
+        integrator,        stable + inaccurate + unstable, stable, inaccurate, unstable, otherwise, slow, law.exponent,
+        law.standard_error};
+  }
+};
+
+}  // namespace
+
+std::vector<Finding> stability_map(const AnalysisContext& context) {
+  const std::vector<MappedSystem> all = mapped_systems(context);
+  Finding map = map_table(), summary = summary_table();
+  if (all.empty()) return {map, summary};
+  const std::vector<double> steps = steps_of_grid(all, context.scene->duration);
+  for (const Integrator& integrator : context.catalogue.integrators) {
+    if (integrator.knob != Integrator::Knob::time_step) continue;
+    Summary sum;
+    for (const MappedSystem& mapped : all) {
+      const double limit = predicted_limit(mapped, integrator.name);
+      for (const double dt : steps) {
+        const StepCell cell = step_cell(mapped, integrator, dt, steps_of_vibration);
+        sum.add(cell);
+        if (&mapped == &all.back()) sum.keep_error(cell);
+        map.rows.push_back({integrator.name, count(mapped.omega.size()), dt, dt / limit, cell.radius, cell.energy,
+                            cell.error, to_string(cell.found), limit, verdict(cell)});
+      }
+    }
+    summary.rows.push_back(sum.row(integrator.name));
+  }
+  return {map, summary};
+}
+
+}  // namespace mb

@@ -1,0 +1,65 @@
+// Which steps are stable over the mode count, an integrator a figure, with the limit that its amplification predicts.
+#include <algorithm>
+#include <cmath>
+
+#include "reports/finding_layers.h"
+#include "reports/findings.h"
+
+namespace mb {
+namespace {
+
+const Json classes = {"stable", "inaccurate", "unstable"};
+const Json colours = {"#0072B2", "#E69F00", "#D55E00"}, shapes = {"circle", "diamond", "cross"};
+
+Json by_class(const char* what, const Json& range) {
+  return {{"field", "found"},
+          {"type", "nominal"},
+          {"title", nullptr},
+          {"scale", {{"domain", classes}, {what, range}}},
+          {"legend", bottom_legend()}};
+}
+
+std::vector<std::string> integrators_of(const Finding& finding) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < finding.rows.size(); ++i) {
+    const std::string name = text_at(finding, i, "integrator");
+    if (std::ranges::find(all, name) == all.end()) all.push_back(name);
+  }
+  return all;
+}
+
+Json data_of(const Finding& finding, const std::string& integrator) {
+  Json data = Json::array();
+  for (std::size_t i = 0; i < finding.rows.size(); ++i) {
+    if (text_at(finding, i, "integrator") != integrator) continue;
+    Json datum = datum_of(finding, i);
+    if (!(datum.value("limit", 0.) > 0)) datum.erase("limit");  // stable nowhere or everywhere: no line
+    data.push_back(std::move(datum));
+  }
+  return data;
+}
+
+}  // namespace
+
+std::vector<Figure> stability_figures(const Finding& finding) {
+  if (!has(finding, {"integrator", "modes r", "dt", "found", "limit"})) return {};
+  std::vector<Figure> all;
+  for (const std::string& integrator : integrators_of(finding)) {
+    const Json y = logarithmic("modes r", "elastic modes, r");
+    const Json cells = layer({{"type", "point"}, {"size", 90}, {"filled", true}, {"tooltip", {{"content", "data"}}}},
+                             {{"x", logarithmic("dt", "step [s]")},
+                              {"y", y},
+                              {"color", by_class("range", colours)},
+                              {"shape", by_class("range", shapes)}});
+    const Json line = {{"type", "line"}, {"color", "#000000"}, {"strokeDash", {6, 3}}, {"point", true}};
+    const Json limit = layer(line, {{"x", logarithmic("limit", "step [s]")}, {"y", y}, {"order", plain("modes r", "")}},
+                             "isValid(datum.limit)");
+    all.push_back({"stability-map-" + integrator,
+                   specification(integrator + ": stable, inaccurate and unstable steps; dashes the limit by the "
+                                              "spectral radius of one step",
+                                 data_of(finding, integrator), Json::array(), Json::array({cells, limit}))});
+  }
+  return all;
+}
+
+}  // namespace mb
