@@ -20,6 +20,8 @@ foreach(layer IN LISTS layers)
 endforeach()
 file(GLOB cases CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.toml)
 install(FILES ${cases} DESTINATION ${CMAKE_INSTALL_DATADIR}/modalbench/cases)
+file(GLOB hard_cases CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/hard/*.toml)
+install(FILES ${hard_cases} DESTINATION ${CMAKE_INSTALL_DATADIR}/modalbench/cases/hard)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT modalbench FILE modalbenchTargets.cmake NAMESPACE modalbench:: DESTINATION ${package_dir})

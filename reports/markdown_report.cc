@@ -11,6 +11,7 @@
 #include "reports/render.h"
 #include "reports/speedup.h"
 #include "reports/verdict.h"
+#include "reports/words.h"
 
 namespace mb {
 namespace {
@@ -50,7 +51,8 @@ std::string cases_section(const Evaluation& evaluation) {
   std::string text = "## Cases\n\n";
   for (const Scene& scene : evaluation.input.scenes) {
     text += "- **" + markdown_text(scene.name) + "** (profile " + markdown_text(scene.profile) + ", " +
-            format_number(scene.duration) + " s): " + markdown_text(scene.title) + ". " + markdown_text(scene.purpose);
+            format_number(scene.duration) + " s): " + markdown_text(scene.title) + ". " +
+            markdown_text(joined({scene.purpose, scene.hard}, " "));
     for (const std::string& sentence : truth_sentences(evaluation, scene)) text += " " + markdown_text(sentence);
     if (!scene.source.empty()) text += " Source: " + markdown_text(scene.source);
     text += "\n  - " + markdown_text(case_line(evaluation, scene)) + "\n";

@@ -15,6 +15,7 @@
 #include "reports/polynomial_modes.h"
 #include "reports/speedup.h"
 #include "reports/verdict.h"
+#include "reports/words.h"
 
 namespace mb {
 namespace {
@@ -188,7 +189,7 @@ Json cases_json(const Evaluation& evaluation) {
     cases.push_back({{"name", scene.name},
                      {"profile", scene.profile},
                      {"title", scene.title},
-                     {"purpose", scene.purpose},
+                     {"purpose", joined({scene.purpose, scene.hard}, " ")},
                      {"source", scene.source},
                      {"line", case_line(evaluation, scene)},
                      {"truth", truth_sentences(evaluation, scene)},

@@ -13,6 +13,7 @@ const std::vector<KeyGroup>& scene_keys() {
         {"source", "a text of at most 1000 bytes", "", "", "required", "where it comes from", "\"Ours.\""},
         {"exercises", "a text of at most 200 bytes", "", "", "none", "what of the suite the case tries",
          "\"a box on a fixed face, a smooth pulse\""},
+        {"hard", "a text of at most 1000 bytes", "", "", "none", "of hard cases: what is hard and what must hold", ""},
         {"runs_in", "an array of 1 to 64 profiles", "", "", "all of them",
          "in which the case runs where no case is named", "[\"quick\", \"standard\", \"full\"]"},
         {"gravity", "an array of 3 numbers", "[-10000, 10000]", "m/s^2", "[0, 0, 0]", "only in scenes with contact",

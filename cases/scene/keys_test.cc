@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 const std::map<std::string, std::string>& asked() {
   static const std::map<std::string, std::string> all = [] {
     std::map<std::string, std::string> out;
-    for (const fs::path& folder : {test::cases_folder(), test::cases_folder() / "bad"}) {
+    for (const fs::path& folder : {test::cases_folder(), test::cases_folder() / "hard", test::cases_folder() / "bad"}) {
       for (const auto& entry : fs::directory_iterator(folder)) {
         if (entry.path().extension() != ".toml") continue;
         out.merge(keys_asked(test::content(entry.path()), folder, test::vocabulary()));
@@ -116,14 +116,18 @@ TEST(Keys, are_found_wherever_a_case_states_them) {
 
 TEST(CaseFolder, is_listed_whole_in_the_readme_and_reads) {
   const std::string readme = test::content(test::cases_folder() / "README.md");
-  int n_cases = 0;
-  for (const auto& entry : fs::directory_iterator(test::cases_folder())) {
-    if (entry.path().extension() != ".toml") continue;
-    EXPECT_NE(readme.find("| `" + entry.path().stem().string() + "` |"), std::string::npos) << entry.path();
-    EXPECT_EQ(test::problems(entry.path()), "");
-    ++n_cases;
+  std::map<bool, int> n_cases;
+  for (const bool hard : {false, true}) {
+    for (const auto& entry : fs::directory_iterator(test::cases_folder() / (hard ? "hard" : ""))) {
+      if (entry.path().extension() != ".toml") continue;
+      EXPECT_NE(readme.find("| `" + entry.path().stem().string() + "` |"), std::string::npos) << entry.path();
+      EXPECT_EQ(test::problems(entry.path()), "");
+      EXPECT_EQ(test::content(entry.path()).find("\nhard") != std::string::npos, hard) << entry.path();
+      ++n_cases[hard];
+    }
   }
-  EXPECT_GT(n_cases, 10);
+  EXPECT_GT(n_cases[false], 10);
+  EXPECT_GT(n_cases[true], 2);
 }
 
 TEST(Keys, stand_in_the_readme_as_they_are) {

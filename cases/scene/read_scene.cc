@@ -40,6 +40,7 @@ void read_prose(Section& root, Scene& scene) {
   scene.purpose = root.text("purpose", 4000).value_or("");
   scene.source = root.text("source", 1000).value_or("");
   scene.exercises = root.text("exercises", 200, "");
+  scene.hard = root.text("hard", 1000, "");
   if (!root.has("runs_in")) return;
   if (const auto profiles = read_unlike(root, "runs_in", {profile_names(), "profile", "profiles"})) {
     scene.runs_in.clear();

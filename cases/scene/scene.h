@@ -192,6 +192,7 @@ struct Check {
 struct Scene {
   std::string name, title, purpose, source;
   std::string exercises;                                          // what of the suite the case tries, one line
+  std::string hard;                                               // of hard cases: what is hard, what must hold
   std::vector<std::string> runs_in{"quick", "standard", "full"};  // profiles in which it runs where none is named
   std::vector<Body> bodies;
   std::vector<Load> loads;

@@ -94,6 +94,7 @@ TEST(Canonical, does_not_depend_on_prose_study_checks_or_layout) {
        "[[study.stepping]]\nintegrator = \"newmark\"\nmethods = [\"full\"]\ntime_steps = [0.01]\n"
        "[[study.rival]]"},
       {"schema  = 1", "schema = 1\nexercises = \"Damping.\""},
+      {"schema  = 1", "schema = 1\nhard = \"Nothing grows.\""},
       {"length = 0.20", "length = 0.200000"},
       {"density        = 1100", "density = 1.1e3"},
       {"direction = [0, 0, 1]", "direction = [-0.0, 0, 7.0]"},

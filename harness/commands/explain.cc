@@ -78,6 +78,7 @@ Meaning of_case(const Scene& scene, const Catalogue& catalogue) {
       scene.name,
       {{"", scene.title + "."},
        {"exercises", scene.exercises},
+       {"hard", scene.hard},
        {"purpose", scene.purpose},
        {"truth", fmt::format("{} at rtol {:g}, its bar the distance to {}{}", to_string(scene.truth.finer),
                              scene.truth.relative_tolerance, to_string(scene.truth.coarser),

@@ -20,10 +20,14 @@ std::filesystem::path case_folder() {
 
 std::vector<std::filesystem::path> all_cases() {
   std::vector<std::filesystem::path> files;
-  if (const auto folder = case_folder(); !folder.empty())
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
+  const auto folder = case_folder();
+  std::error_code ignored;
+  for (const auto& part : {folder, folder / "hard"}) {
+    if (folder.empty() || !std::filesystem::is_directory(part, ignored)) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(part))
       if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  }
+  std::ranges::sort(files, {}, [](const auto& file) { return file.stem(); });
   return files;
 }
 

@@ -1,4 +1,4 @@
-// Where cases are: ./cases, then share/modalbench/cases beside the program.
+// Where cases are: ./cases, then share/modalbench/cases beside the program; hard ones below hard/.
 #pragma once
 
 #include <filesystem>

@@ -52,6 +52,7 @@ void print_json(const std::vector<Entry>& entries, std::ostream& out) {
     cases.push_back({{"name", entry.scene.name},
                      {"title", entry.scene.title},
                      {"exercises", entry.scene.exercises},
+                     {"hard", entry.scene.hard},
                      {"runs_in", entry.scene.runs_in},
                      {"n_runs", entry.n_runs},
                      {"estimated_minutes", entry.minutes}});

@@ -9,7 +9,7 @@
 namespace mb {
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();  // [-] of an eigenvalue, over lambda_max
 
 double lambda_of(const Modes& modes, Index i) { return modes.omega(i) * modes.omega(i); }
 
@@ -33,8 +33,8 @@ void check_frequencies(const Modes& found) {
         i < found.n_rigid ? omega == 0 : std::isfinite(omega) && omega > 0 && (i == 0 || omega >= found.omega(i - 1));
     if (!legal)
       throw GateFailure(fmt::format("mode {}: omega = {} rad/s is no frequency or out of order", i + 1, omega));
-    // Below, rounding is larger than a hundredth of lambda, and the bound on the residual would say nothing.
-    if (i >= found.n_rigid && omega * omega < 1e-11 * found.lambda_max)
+    // Below, rounding may be larger than a hundredth of lambda, and the bound on the residual would say nothing.
+    if (i >= found.n_rigid && 0.01 * omega * omega < rounding * found.lambda_max)
       throw GateFailure(
           fmt::format("mode {} (omega = {:.3g} rad/s) is rigid to working precision (lambda/lambda_max = "
                       "{:.1e}) but not among the rigid modes",
@@ -48,7 +48,7 @@ void check_residuals(const System& system, const Modes& found) {
   for (Index i = 0; i < found.size(); ++i) {
     const bool rigid = i < found.n_rigid;
     const double bound =
-        std::max(rigid ? 1e-9 : 1e-8, 50 * eps * found.lambda_max / (rigid ? lambda_1 : lambda_of(found, i)));
+        std::max(rigid ? 1e-9 : 1e-8, rounding * found.lambda_max / (rigid ? lambda_1 : lambda_of(found, i)));
     if (!(residual(i) <= bound))
       throw GateFailure(fmt::format("mode {} ({}, omega = {:.9g} rad/s): residual {:.2e} exceeds {:.2e}", i + 1,
                                     rigid ? "rigid" : "elastic", found.omega(i), residual(i), bound));

@@ -1,7 +1,7 @@
 // What modes must satisfy before anything is reported of them:
 //
 //   |K phi - lambda M phi| <= max(1e-8, 50 eps lambda_max/lambda) |lambda M phi|     every elastic mode
-//   lambda >= 1e-11 lambda_max                                                       every elastic mode
+//   lambda >= 5000 eps lambda_max = 1.1e-12 lambda_max                               every elastic mode
 //   |Phi^T M Phi - I|_max <= 1e-10
 //   rigid: |K phi| <= max(1e-9, 50 eps lambda_max/lambda_1) lambda_1 |M phi|, hence |omega^2| as small
 //   count: negative eigenvalues of K - mu M (Sylvester), mu in the middle of a spectral gap, = modes below mu
