@@ -223,7 +223,7 @@ TEST(GradedModel, TakesAMeshOfEveryBodyUngradedWhereNothingTouches) {
   Scene scene = above_floor(sphere, {1, {1}}, up);
   scene.bodies.push_back(scene.bodies[0]);
   scene.bodies[1].name = "aloof";
-  const Resolution graded{1, {2}, 2, {{1, {2}, 2}}};
+  const Resolution graded{.degree = 1, .cells = {2}, .graded = 2, .others = {{1, {2}, 2}}};
   const Model both = build_model(std::make_shared<Scene>(scene), &graded);
   EXPECT_GT(both.bodies[0].full->n_cells(), 56);
   EXPECT_EQ(both.bodies[1].full->n_cells(), 56);

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "reports/case_words.h"
+#include "reports/linear_warnings.h"
 #include "reports/number.h"
 #include "reports/views.h"
 #include "reports/words.h"
@@ -81,6 +82,8 @@ std::string describe(const Load& load) {
 // A metric of a truth in words; another keeps its name.
 std::string spelled_out(const std::string& metric, const Scene& scene) {
   constexpr double bands = 20;  // of truth-above-band: samples_per_second over the frequency above which it counts
+  if (metric == "truth-strain") return "largest strain:";
+  if (metric == "truth-rotation") return "largest rotation:";
   if (metric != "truth-above-band") return metric;
   return "share of kinetic energy above " + in(scene.samples_per_second / bands, "Hz") + ":";
 }
@@ -116,6 +119,8 @@ std::vector<std::string> truth_sentences(const Evaluation& evaluation, const Sce
   }
   std::vector<std::string> sentences;
   for (const auto& [key, sentence] : said) sentences.push_back(sentence);
+  for (const std::string& warning : linear_warnings(evaluation.input.records, scene))
+    sentences.push_back("Warning: " + warning + ".");
   return sentences;
 }
 

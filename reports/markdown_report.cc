@@ -1,5 +1,7 @@
 #include "reports/markdown_report.h"
 
+#include "reports/hard_cases.h"
+
 #include "reports/claims.h"
 #include "reports/definitions.h"
 #include "reports/environment.h"
@@ -99,6 +101,7 @@ std::string markdown_report(const Evaluation& evaluation) {
   text += findings_sections(evaluation, false);
   if (const Sheet table = polynomials_table(evaluation); !table.rows.empty()) text += section(table, table.title, "");
   text += section(claims_table(evaluation), "The paper's claims", "");
+  if (const Sheet hard = hard_cases_table(evaluation); !hard.rows.empty()) text += section(hard, "Hard cases", "");
   text += section(probes_table(evaluation), "Probe signals", "No probe is recorded.");
   if (const Sheet failures = failures_table(evaluation); !failures.rows.empty()) {
     text += section(failures, "Failures", "");

@@ -9,6 +9,7 @@
 #include "reports/environment.h"
 #include "reports/figures.h"
 #include "reports/findings.h"
+#include "reports/hard_cases.h"
 #include "reports/matrix.h"
 #include "reports/number.h"
 #include "reports/orders.h"
@@ -222,8 +223,8 @@ Json page_json(const Evaluation& evaluation) {
   for (const Sheet& table :
        {headline_table(evaluation), contenders_table(evaluation), matrix_table(evaluation),
         orders_table(curves(evaluation)), speed_up_table(evaluation, front), phases_table(evaluation, front),
-        polynomials_table(evaluation), claims_table(evaluation), checks_table(evaluation), probes_table(evaluation),
-        failures_table(evaluation), environment_table(evaluation)}) {
+        polynomials_table(evaluation), claims_table(evaluation), hard_cases_table(evaluation), checks_table(evaluation),
+        probes_table(evaluation), failures_table(evaluation), environment_table(evaluation)}) {
     tables[table.name] = table_json(table);
   }
   return {{"schema", 1},          {"verdict", verdict_json(verdict_of(evaluation))}, {"cases", cases_json(evaluation)},

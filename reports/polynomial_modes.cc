@@ -6,14 +6,6 @@
 namespace mb {
 namespace {
 
-struct Extents {
-  Vector3d operator()(const Box& box) const { return box.size; }
-  Vector3d operator()(const Cylinder& c) const { return {2 * c.radius, 2 * c.radius, c.length}; }
-  Vector3d operator()(const Sphere&) const { return Vector3d::Ones(); }
-  Vector3d operator()(const Superquadric& s) const { return s.semi_axes; }
-  Vector3d operator()(const TaperedSuperquadric& s) const { return s.straight.semi_axes; }
-};
-
 const Record* usable(const Run& run, const std::string& metric, const std::string& body) {
   for (const auto& [measure, record] : run.measures)
     if (measure.metric == metric && measure.subject == body && is_against_best(run, measure) && is_usable(record))
@@ -62,8 +54,8 @@ Cell error_cell(const Record* record) { return record ? record_cell(record) : te
 }  // namespace
 
 double aspect_ratio(const Shape& shape) {
-  const Vector3d extents = std::visit(Extents{}, shape);
-  return extents.maxCoeff() / extents.minCoeff();
+  const Vector3d size = extents(shape);
+  return size.maxCoeff() / size.minCoeff();
 }
 
 std::vector<PolynomialMark> polynomial_marks(const Evaluation& evaluation) {

@@ -17,7 +17,7 @@ namespace mb {
 inline constexpr double most_compact = 5;      // [-] aspect up to which a body counts as compact
 inline constexpr double still_suffices = 0.1;  // [-] of each error: to the eye still the right shape, force and impulse
 
-double aspect_ratio(const Shape& shape);  // [-] >= 1, superquadrics by their semi-axes, tapered ones by the straight
+double aspect_ratio(const Shape& shape);  // [-] >= 1, of its bounding box
 
 struct PolynomialMark {
   std::string case_name, profile, body, method;  // "linear" or "quadratic"

@@ -4,6 +4,7 @@
 #include "reports/environment.h"
 #include "reports/figures.h"
 #include "reports/findings.h"
+#include "reports/hard_cases.h"
 #include "reports/markdown_report.h"
 #include "reports/matrix.h"
 #include "reports/orders.h"
@@ -13,17 +14,18 @@
 #include "reports/render.h"
 #include "reports/speedup.h"
 #include "reports/verdict.h"
+#include "reports/verification.h"
 
 namespace mb {
 namespace {
 
 std::vector<Sheet> all_tables(const Evaluation& evaluation) {
   const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
-  return {headline_table(evaluation),        checks_table(evaluation),        matrix_table(evaluation),
-          reduced_table(evaluation),         rivals_table(evaluation),        orders_table(curves(evaluation)),
-          speed_up_table(evaluation, front), phases_table(evaluation, front), polynomials_table(evaluation),
-          claims_table(evaluation),          probes_table(evaluation),        failures_table(evaluation),
-          environment_table(evaluation)};
+  return {hard_cases_table(evaluation),    verification_table(evaluation),   headline_table(evaluation),
+          checks_table(evaluation),        matrix_table(evaluation),         reduced_table(evaluation),
+          rivals_table(evaluation),        orders_table(curves(evaluation)), speed_up_table(evaluation, front),
+          phases_table(evaluation, front), polynomials_table(evaluation),    claims_table(evaluation),
+          probes_table(evaluation),        failures_table(evaluation),       environment_table(evaluation)};
 }
 
 // Keys of a table that are spelled out in the titles of its parts: case, profile, truth.
@@ -54,6 +56,7 @@ void add_findings(std::vector<ReportFile>& files, const Evaluation& evaluation) 
 
 std::vector<ReportFile> compose(const Evaluation& evaluation) {
   std::vector<ReportFile> files = {{"report.md", markdown_report(evaluation)},
+                                   {"verification.md", verification_document(evaluation)},
                                    {"data/results.jsonl", record_lines(evaluation.input.records)},
                                    {"data/records.csv", csv(records_table(evaluation))},
                                    {"data/speed-up-all.csv", csv(speed_up_table(evaluation, evaluation.speed_ups))}};

@@ -21,7 +21,7 @@ Misfit one_loaded_undamped_body(const Scene& scene) {
   Misfit misfit;
   misfit.require(scene.bodies.size() == 1, fmt::format("needs one body, there are {}", scene.bodies.size()));
   for (const Body& body : scene.bodies) {
-    misfit.require(!body.material.orthotropy, "the material is not isotropic");
+    misfit.require(is_uniform(body.material), "the material is not isotropic and the same throughout");
     misfit.require(is_undamped(body), "the body is damped");
   }
   misfit.require(scene.loads.size() == 1, fmt::format("needs one load, there are {}", scene.loads.size()));
@@ -41,7 +41,7 @@ Misfit one_struck_undamped_body(const Scene& scene, Theory theory) {
     misfit.require(body.theory == theory,
                    fmt::format("the body's theory is {}, not {}", to_string(body.theory), to_string(theory)));
     misfit.require(std::holds_alternative<Box>(body.shape), "the body is not a box");
-    misfit.require(!body.material.orthotropy, "the material is not isotropic");
+    misfit.require(is_uniform(body.material), "the material is not isotropic and the same throughout");
     misfit.require(is_undamped(body), "the body is damped");
     misfit.require(striker_of(scene, body), "nothing strikes the body");
   }
@@ -59,7 +59,7 @@ Misfit one_thrown_undamped_body(const Scene& scene) {
   misfit.require(scene.bodies.size() == 1, fmt::format("needs one body, there are {}", scene.bodies.size()));
   for (const Body& body : scene.bodies) {
     misfit.require(body.theory == Theory::solid, fmt::format("the body's theory is {}", to_string(body.theory)));
-    misfit.require(!body.material.orthotropy, "the material is not isotropic");
+    misfit.require(is_uniform(body.material), "the material is not isotropic and the same throughout");
     misfit.require(is_undamped(body), "the body is damped");
     misfit.require(body.supports.empty(), "the body is not free");
     misfit.require(body.twist.angular_velocity.isZero(0), "the body spins");

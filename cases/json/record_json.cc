@@ -83,6 +83,14 @@ Resolution mesh_from(Members& members) {
   for (const Json& n : cells) resolution.cells.push_back(static_cast<int>(integer(n, "cells", 0, 1 << 20)));
   if (const Json* graded = members.find("graded"))
     resolution.graded = static_cast<int>(integer(*graded, "graded", 1, 99));
+  if (const Json* bias = members.find("bias")) {
+    if (!bias->is_array() || bias->size() != 3) refuse("bias", "is not a list of 3 numbers");
+    for (const Json& ratio : *bias) {
+      if (!ratio.is_number() || !(ratio.get<double>() > 0)) refuse("bias", "is not a list of positive numbers");
+      resolution.bias.push_back(ratio.get<double>());
+    }
+  }
+  if (members.find("distorted")) resolution.distorted = members.number("distorted");
   return resolution;
 }
 
@@ -122,6 +130,8 @@ void add(Json& json, const Resolution& mesh) {
   json["degree"] = mesh.degree;
   json["cells"] = mesh.cells;
   if (mesh.graded > 0) json["graded"] = mesh.graded;
+  if (!mesh.bias.empty()) json["bias"] = mesh.bias;
+  if (mesh.distorted > 0) json["distorted"] = mesh.distorted;
   for (const Resolution& other : mesh.others) {
     Json own;
     add(own, other);

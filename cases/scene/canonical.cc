@@ -74,6 +74,10 @@ std::string canonical(const Material& material) {
     out += fmt::format("orthotropy {} {} {}\n", vector(material.orthotropy->youngs_moduli),
                        vector(material.orthotropy->poissons_ratios), vector(material.orthotropy->shear_moduli));
   }
+  for (const Inclusion& inclusion : material.inclusions) {
+    out += fmt::format("inclusion {} {} {}\n", vector(inclusion.centre), vector(inclusion.size),
+                       number(inclusion.stiffness_factor));
+  }
   return out;
 }
 
@@ -101,6 +105,10 @@ std::string canonical(const Body& body) {
     out += fmt::format("support {} {}\n", to_string(support.kind), canonical(support.patch));
     if (!support.drive) continue;
     out += fmt::format("drive {} {}\n", vector(support.drive->direction), canonical(support.drive->acceleration));
+  }
+  for (const Dashpot& dashpot : body.dashpots) {
+    out +=
+        fmt::format("dashpot {} {} {}\n", canonical(dashpot.patch), vector(dashpot.direction), number(dashpot.damping));
   }
   out += canonical(body.pose);
   if (body.settled) out += "starts settled\n";

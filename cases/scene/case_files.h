@@ -19,11 +19,13 @@ inline Vocabulary vocabulary() {
            "momentum-defect", "force-error", "momentum-drift"},
           {"linear", "quadratic", "full"},
           {"sundials"},
-          {"budget", "step-limits", "stability-map", "aliasing", "frequency-response", "mode-amplitudes", "damping",
-           "frequencies", "probe-extremes", "collision-cost", "contact-forces", "contact-stiffness", "contact",
-           "flight-cost", "amplitude", "instructions", "slenderness"},
-          {"stability-map", "aliasing", "frequency-response", "probe-extremes", "damping", "slenderness"},
-          {"contact-stiffness", "contact", "flight-cost", "amplitude", "instructions"},
+          {"budget",   "step-limits", "stability-map",  "aliasing",       "frequency-response", "mode-amplitudes",
+           "damping",  "frequencies", "probe-extremes", "collision-cost", "contact-forces",     "contact-stiffness",
+           "contact",  "flight-cost", "amplitude",      "instructions",   "slenderness",        "damping-coupling",
+           "long-run", "multiplets",  "locking",        "linearity",      "contact-stability"},
+          {"stability-map", "aliasing", "frequency-response", "probe-extremes", "damping", "slenderness",
+           "damping-coupling", "long-run", "locking", "linearity"},
+          {"contact-stiffness", "contact", "flight-cost", "amplitude", "instructions", "contact-stability"},
           {"contact-stiffness"}};
 }
 

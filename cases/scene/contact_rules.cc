@@ -75,6 +75,7 @@ void check_with_contact(Section& root, const std::vector<BodyDraft>& bodies) {
     for (const Position& where : body.supports.driven_at) {
       refuse_with_contact(root.findings(), where, "a driven support");
     }
+    for (const Position& where : body.dashpots.at) refuse_with_contact(root.findings(), where, "a dashpot");
     if (!body.damping.ratios.empty()) {
       refuse_with_contact(root.findings(), body.damping.ratios_at, "damping of single modes");
     }

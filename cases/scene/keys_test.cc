@@ -34,6 +34,7 @@ bool depends_on_case(const std::string& documented) {
                                           "body.shape.kind",
                                           "body.kinematics",
                                           "body.support.face",
+                                          "body.dashpot.face",
                                           "load.traction.face",
                                           "load.traction.body",
                                           "probe.body",

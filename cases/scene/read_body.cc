@@ -26,8 +26,22 @@ void check_kinematics(Section& section, const BodyDraft& body) {
     refuse(std::string("theory '") + to_string(*body.theory) + "' is linear", "leave one of them out");
   if (body.material && body.material->orthotropy)
     refuse("[body.material] states 'orthotropy'", "state youngs_modulus and poissons_ratio");
+  if (body.material && !body.material->inclusions.empty())
+    refuse("[body.material] states an 'inclusion'", "leave it out");
   if (body.settled) refuse("'starts' = \"settled\" is where linear bodies come to rest", "leave one of them out");
   if (!body.damping.ratios.empty()) refuse("[body.damping] states 'ratios' of single modes", "state alpha and beta");
+}
+
+// A damper to the ground stands still beside the body: of bodies that stay where they are.
+void check_dashpots(Section& section, const BodyDraft& body) {
+  if (body.dashpots.at.empty()) return;
+  const auto refuse = [&](const std::string& what) {
+    section.findings().error(body.dashpots.at.front(),
+                             "a dashpot is of solids of linear kinematics with supports: " + what);
+  };
+  if (body.theory && *body.theory != Theory::solid) return refuse("the body is of a theory");
+  if (body.kinematics == Kinematics::finite) return refuse("the body's kinematics are finite");
+  if (body.supports.supports.empty()) refuse("no support holds the body");
 }
 
 // A body that nothing holds falls, however it starts.
@@ -60,20 +74,32 @@ BodyDraft read_body(Section section, const HistoryContext& context) {
   if (auto damping = section.section("damping", true)) body.damping = read_damping(*damping);
   if (auto resolution = section.section("resolution")) body.resolution = read_mesh(*resolution, body);
   body.supports = read_supports(section, body.shape, context);
+  body.dashpots = read_dashpots(section, body.shape);
   body.kinematics = read_kinematics(section);
   body.pose = read_pose(section, "pose");
   body.twist = read_twist(section);
   body.settled = read_settled(section, body);
   check_theory(section, body);
   check_kinematics(section, body);
+  check_dashpots(section, body);
   section.finish();
   return body;
 }
 
 Body completed(const BodyDraft& draft) {
-  return {draft.name.value(),   draft.shape.value(),      draft.material.value(),   draft.damping.rayleigh,
-          draft.damping.ratios, draft.resolution.value(), draft.supports.supports,  draft.pose.value(),
-          draft.twist.value(),  draft.theory.value(),     draft.kinematics.value(), draft.settled};
+  return {.name = draft.name.value(),
+          .shape = draft.shape.value(),
+          .material = draft.material.value(),
+          .damping = draft.damping.rayleigh,
+          .damping_ratios = draft.damping.ratios,
+          .resolution = draft.resolution.value(),
+          .supports = draft.supports.supports,
+          .pose = draft.pose.value(),
+          .twist = draft.twist.value(),
+          .theory = draft.theory.value(),
+          .kinematics = draft.kinematics.value(),
+          .settled = draft.settled,
+          .dashpots = draft.dashpots.dashpots};
 }
 
 }  // namespace mb

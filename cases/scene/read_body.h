@@ -1,6 +1,7 @@
-// [[body]]: theory, shape, material, damping, resolution, supports, and how it starts.
+// [[body]]: theory, shape, material, damping, resolution, supports, dashpots, and how it starts.
 #pragma once
 
+#include "cases/scene/read_dashpot.h"
 #include "cases/scene/read_material.h"
 #include "cases/scene/read_pose.h"
 #include "cases/scene/read_support.h"
@@ -21,6 +22,7 @@ struct BodyDraft {
   std::optional<Theory> theory = Theory::solid;  // nothing: wrong
   std::optional<Kinematics> kinematics = Kinematics::linear;
   bool settled = false;
+  DashpotDrafts dashpots;
   std::optional<bool> touches = std::nullopt;  // whether a contact names it; nothing: not known
 };
 

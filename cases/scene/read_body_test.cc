@@ -139,5 +139,46 @@ TEST(ReadResolution, a_cylinder_may_be_one_block_across) {
             std::string::npos);
 }
 
+const std::string held = support("fixed", "side");
+
+TEST(ReadDashpot, is_of_linear_solids_that_supports_hold) {
+  const std::string dashpot = "[[body.dashpot]]\nface = \"z-max\"\ndirection = [0, 3, 0]\ndamping = 2.5\n";
+  const std::string text = with(cylinder_text(), "[body.resolution]", held + dashpot + "[body.resolution]");
+  const Body body = test::read(text).bodies[0];
+  ASSERT_EQ(body.dashpots.size(), 1u);
+  EXPECT_EQ(body.dashpots[0].patch.face, "z-max");
+  EXPECT_EQ(body.dashpots[0].direction, Vector3d(0, 1, 0));
+  EXPECT_EQ(body.dashpots[0].damping, 2.5);
+  EXPECT_NE(canonical(test::read(text)).find("dashpot face z-max 0 1 0 2.5"), std::string::npos);
+  EXPECT_NE(problems_of_text(with_supports(dashpot)).find("no support holds the body"), std::string::npos);
+  EXPECT_NE(
+      problems_of_text(with(text, "[[body.support]]", "kinematics = \"finite\"\n[[body.support]]")).find("kinematics"),
+      std::string::npos);
+  EXPECT_NE(problems_of_text(with(text, "damping = 2.5", "damping = -1")).find("outside [1e-12, 1e15] N s/m"),
+            std::string::npos);
+  EXPECT_NE(problems_of_text(with(text, "face = \"z-max\"\ndirection", "face = \"x-min\"\ndirection")).find("x-min"), std::string::npos);
+}
+
+TEST(ReadMaterial, inclusions_are_boxes_of_another_stiffness) {
+  const std::string inclusion =
+      "[[body.material.inclusion]]\ncentre = [0, 0, 0.05]\nsize = [0.02, 0.02, 0.1]\nstiffness_factor = 1e6\n";
+  const std::string text = with(cylinder_text(), "[body.resolution]", inclusion + "[body.resolution]");
+  const Scene scene = test::read(text);
+  ASSERT_EQ(scene.bodies[0].material.inclusions.size(), 1u);
+  EXPECT_EQ(stiffness_factor(scene.bodies[0].material, {0.009, 0, 0.01}), 1e6);
+  EXPECT_EQ(stiffness_factor(scene.bodies[0].material, {0.011, 0, 0.01}), 1);
+  EXPECT_NE(canonical(scene).find("inclusion 0 0 0.05"), std::string::npos);
+  EXPECT_NE(problems_of_text(with(text, "1e6", "1e9")).find("outside [1e-8, 100000000]"), std::string::npos);
+}
+
+TEST(ReadResolution, boxes_may_be_biased_and_distorted) {
+  const std::string wrong = with(cylinder_text(), "cells  = [1, 4]", "cells = [1, 4]\nbias = [1, 1, 2]");
+  EXPECT_NE(problems_of_text(wrong).find("'bias' is of boxes that are solids"), std::string::npos);
+  const std::string distorted = with(cylinder_text(), "cells  = [1, 4]", "cells = [1, 4]\ndistorted = 0.1");
+  EXPECT_NE(problems_of_text(distorted).find("'distorted' is of boxes that are solids"), std::string::npos);
+  EXPECT_NE(problems_of_text(with(distorted, "distorted = 0.1", "distorted = 0.5")).find("outside [0, 0.4]"), std::string::npos);
+  EXPECT_EQ(to_string(Resolution{2, {2, 2, 4}, 0, {1, 1, 20}, 0.2}), "Q2 2x2x4 bias 1x1x20 distorted 0.2");
+}
+
 }  // namespace
 }  // namespace mb

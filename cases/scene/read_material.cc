@@ -47,16 +47,33 @@ std::optional<Material> read_isotropic(Section& section) {
   return Material{*modulus, *ratio, 1};
 }
 
+// A hundred million times as stiff or soft: the condition number of K then has half of double precision left.
+const Range factor_range{1e-8, 1e8};
+
+std::vector<Inclusion> read_inclusions(Section& material) {
+  std::vector<Inclusion> inclusions;
+  for (Section& section : material.sections("inclusion", {0, 64})) {
+    const auto centre = section.vector("centre", {-1e4, 1e4, "m"});
+    const auto size = section.vector("size", {1e-6, 1e4, "m"});
+    const auto factor = section.number("stiffness_factor", factor_range);
+    section.finish();
+    if (centre && size && factor) inclusions.push_back({*centre, *size, *factor});
+  }
+  return inclusions;
+}
+
 }  // namespace
 
 std::optional<Material> read_material(Section section) {
   for (const char* key : {"youngs_modulus", "poissons_ratio", "density"}) section.has(key);  // their order in lists
   auto material = section.has("orthotropy") ? read_orthotropic(section) : read_isotropic(section);
   const auto density = section.number("density", density_range);
+  const auto inclusions = read_inclusions(section);
   section.not_yet("plasticity");
   section.finish();
   if (!material || !density) return std::nullopt;
   material->density = *density;
+  material->inclusions = inclusions;
   return material;
 }
 
@@ -64,7 +81,7 @@ DampingDraft read_damping(Section section) {
   // Beyond, every mode is overdamped by more than double precision resolves.
   DampingDraft damping{{section.number("alpha", {0, 1e9, "1/s"}, 0), section.number("beta", {0, 1e3, "s"}, 0)}, {}, {}};
   if (section.has("ratios")) {
-    damping.ratios = section.numbers("ratios", {0, 10}, {1, 256}).value_or(std::vector<double>{});
+    damping.ratios = section.numbers("ratios", {0, 1e9}, {1, 256}).value_or(std::vector<double>{});
     damping.ratios_at = section.where("ratios");
   }
   section.finish();

@@ -6,13 +6,37 @@
 
 namespace mb {
 
+namespace {
+
+struct Uneven {
+  std::vector<double> bias;
+  double distorted;
+};
+
+Uneven read_uneven(Section& section, const std::optional<Shape>& shape, Theory theory) {
+  Uneven uneven{{}, section.number("distorted", {0, 0.4}, 0)};
+  if (section.has("bias"))
+    if (const auto bias = section.numbers("bias", {1e-3, 1e3}, {3, 3})) uneven.bias = *bias;
+  const bool is_box = theory == Theory::solid && (!shape || std::holds_alternative<Box>(*shape));
+  for (const char* key : {"bias", "distorted"})
+    if (!is_box && section.has(key)) section.error(key, fmt::format("'{}' is of boxes that are solids", key));
+  return uneven;
+}
+
+}  // namespace
+
 std::optional<Resolution> read_mesh(Section section, const BodyDraft& body) {
   for (const char* key : {"degree", "cells"}) section.has(key);  // as messages list them
   const int graded = section.integer("graded", graded_range, 0);
   // Of which theory is not known where that is wrong: then nor is what cells stand for.
   const std::optional<Shape> shape = body.theory ? body.shape : std::nullopt;
   const Theory theory = body.theory.value_or(Theory::solid);
+  const Uneven uneven = read_uneven(section, shape, theory);
   auto resolution = read_resolution(section, shape, theory);
+  if (resolution) {
+    resolution->bias = uneven.bias;
+    resolution->distorted = uneven.distorted;
+  }
   if (graded > 0 && body.touches == false) {
     section.error("graded",
                   fmt::format("'graded' is of no use: no [[contact]] names body '{}'", body.name.value_or("")));

@@ -1,4 +1,5 @@
-// A mesh of a case file: a resolution, and how often it is graded towards where its body touches first.
+// A mesh of a case file: a resolution, how often it is graded towards where its body touches first, and, of boxes, how
+// its cells grow along the axes and how far their corners are moved at random.
 #pragma once
 
 #include "cases/scene/read_body.h"
@@ -7,7 +8,8 @@ namespace mb {
 
 inline const Range graded_range{0, 12};
 
-// A table with `degree`, `cells` and `graded`, the last of which only bodies with contact take.
+// A table with `degree`, `cells`, `graded`, which only bodies with contact take, `bias` and `distorted`, which are of
+// boxes that are solids.
 std::optional<Resolution> read_mesh(Section section, const BodyDraft& body);
 
 }  // namespace mb

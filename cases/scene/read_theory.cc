@@ -79,6 +79,9 @@ void check_theory(Section& section, const BodyDraft& body) {
   if (body.material && body.material->orthotropy)
     findings.error(section.where("material"),
                    fmt::format("theory '{}' is of isotropic materials", to_string(*body.theory)));
+  if (body.material && !body.material->inclusions.empty())
+    findings.error(section.where("material"),
+                   fmt::format("theory '{}' is of one material throughout", to_string(*body.theory)));
   if (section.has("support") && !section.is_empty_array("support"))
     findings.error(
         section.where_key("support"),

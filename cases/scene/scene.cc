@@ -22,12 +22,15 @@ VectorXd times_at(double rate, double duration) {
 }  // namespace
 
 bool operator==(const Resolution& a, const Resolution& b) {
-  return a.degree == b.degree && a.cells == b.cells && a.graded == b.graded && a.others == b.others;
+  return a.degree == b.degree && a.cells == b.cells && a.graded == b.graded && a.bias == b.bias &&
+         a.distorted == b.distorted && a.others == b.others;
 }
 
 std::string to_string(const Resolution& resolution) {
-  const std::string even = fmt::format("Q{} {}", resolution.degree, fmt::join(resolution.cells, "x"));
-  std::string all = resolution.graded == 0 ? even : fmt::format("{} graded {}", even, resolution.graded);
+  std::string all = fmt::format("Q{} {}", resolution.degree, fmt::join(resolution.cells, "x"));
+  if (resolution.graded > 0) all += fmt::format(" graded {}", resolution.graded);
+  if (!resolution.bias.empty()) all += fmt::format(" bias {}", fmt::join(resolution.bias, "x"));
+  if (resolution.distorted > 0) all += fmt::format(" distorted {}", resolution.distorted);
   for (const Resolution& other : resolution.others) all += " + " + to_string(other);
   return all;
 }

@@ -28,6 +28,11 @@ struct Resolution {
   int degree;              // in [1, 4]
   std::vector<int> cells;  // each in [1, 1024]; splits of a cylinder also 0
   int graded = 0;          // in [0, 12]; only in scenes with contact
+  // Of boxes: the last cell's edge over the first's along x, y, z, the others between in geometric progression;
+  // none: 1.
+  std::vector<double> bias = {};  // each in [1e-3, 1e3]
+  // Of boxes: so much of the shortest edge beside it every vertex is moved at random along each axis, within its face.
+  double distorted = 0;  // [-] in [0, 0.4]
   // Where it stands for a whole scene: of the bodies after the first, in the scene's order.
   std::vector<Resolution> others = {};
 };
@@ -62,19 +67,29 @@ const char* to_string(Theory theory);  // "solid", "euler-bernoulli", "kirchhoff
 enum class Kinematics { linear, finite };
 const char* to_string(Kinematics kinematics);  // "linear", "finite"
 
+// A damper between the body and the ground, spread over a patch: with v the patch's mean velocity, weighted as it is,
+//
+//   force on the body = -c (v . n) n
+struct Dashpot {
+  Patch patch;
+  Vector3d direction; /* n [-] unit, body frame */
+  double damping;     /* c [N s/m] > 0 */
+};
+
 struct Body {
   std::string name;
   Shape shape;
   Material material;
   Rayleigh damping;
-  std::vector<double> damping_ratios;  // [-] in [0, 10]: of the first elastic modes, in the place of Rayleigh's
+  std::vector<double> damping_ratios;  // [-] in [0, 1e9]: of the first elastic modes, in the place of Rayleigh's
   Resolution resolution;               // the mesh of the `same_mesh` truth and of the modal contenders
   std::vector<Support> supports;
   Pose pose = {};   // at t = 0, of the frame in which the shape is centred
   Twist twist = {}; /* at t = 0 */
   Theory theory = Theory::solid;
   Kinematics kinematics = Kinematics::linear;
-  bool settled = false;  // at t = 0 in equilibrium with its weight, at rest; of bodies with supports
+  bool settled = false;                // at t = 0 in equilibrium with its weight, at rest; of bodies with supports
+  std::vector<Dashpot> dashpots = {};  // of bodies with supports that touch nothing, of linear kinematics
 };
 bool is_held(const Body& body);  // by supports or by its theory: its frame stands still
 

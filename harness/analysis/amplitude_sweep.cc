@@ -39,7 +39,7 @@ Scene thrown(const Scene& scene, double factor) {
 }
 
 void require_finite_possible(const Body& body) {
-  if (body.theory != Theory::solid || body.material.orthotropy || !body.damping_ratios.empty())
+  if (body.theory != Theory::solid || !is_uniform(body.material) || !body.damping_ratios.empty())
     throw std::invalid_argument("finite strain is of isotropic solids with Rayleigh damping");
 }
 

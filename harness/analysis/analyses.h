@@ -7,7 +7,7 @@
 //   step-limit-runs           system | modes r | scheme | integrator | dt / limit | dt | steps | growth by theory |
 //                             growth observed | difference of logarithms | verdict
 //   step-limit-exponents      claim | scheme | limits fitted | exponent | standard error | claimed | verdict
-//   stability-map             integrator | modes r | dt | dt / limit | spectral radius | energy | error | found |
+//   stability-map             integrator | modes r | system | dt | dt / limit | spectral radius | energy | error | found |
 //                             limit | verdict
 //   stability-summary         integrator | cells | stable | inaccurate | unstable | not as predicted |
 //                             too slow to be seen | order | standard error
@@ -25,6 +25,17 @@
 //   damping                   mode | frequency | zeta asked | zeta full | zeta reduced | zeta by decay | coupling
 //   damping-of-steps          mode | frequency | zeta asked | integrator | dt | omega dt | zeta of scheme |
 //                             zeta of run | difference
+//   damping-coupling          modes r | coupling | error of dropping | closed form against steps | condition
+//   damping-coupling-modes    complex mode | frequency | ratio | undamped mode | share of its energy |
+//                             undamped frequency | ratio by the diagonal
+//   long-run                  integrator | modes r | dt | steps | status | swing | drift | exponent | standard error
+//   multiplets                first mode | multiplicity | frequency | gap | difference of frequency |
+//                             subspace distance | distance times gap
+//   locking                   element | nu | cells | unknowns | static error | frequency error
+//   locking-growth            element | static error at 0.3 | static error at 0.4999 | growth of static error |
+//                             frequency error at 0.3 | frequency error at 0.4999 | growth of frequency error
+//   linearity                 modes r | largest strain | largest rotation | second order | third order | estimate |
+//                             error | estimate over error | verdict
 //   frequencies               mode | reference | frequency | error | error Q2 4x4x4 | ... | order | GCI
 //   probe-extremes            probe | truth | largest | at (largest) | smallest | at (smallest) | static |
 //                             largest/static
@@ -48,6 +59,10 @@
 //                             error of start | ... of duration | ... of peak force | ... of impulse
 //   contact-conditions        contact | contender | modes r | condition of start | ... of duration |
 //                             ... of peak force | ... of impulse
+//   contact-stability         integrator | stiffness factor | dt | dt / limit | spectral radius | energy |
+//                             peak force error | impulse error | found | limit | verdict
+//   contact-stability-summary integrator | cells | stable | inaccurate | unstable | not as predicted |
+//                             too short to be seen
 //   contact-meetings          obstacle | law | stiffness | stated | E* | a | k a/E* | first touch | speed | approach |
 //                             duration | force
 //   contact-geometry          method | modes r | degree | coefficients | kept | condition | residual | worst mode |
@@ -84,6 +99,12 @@ std::vector<Finding> temporal_aliasing(const AnalysisContext& context);
 std::vector<Finding> frequency_responses(const AnalysisContext& context);
 std::vector<Finding> mode_amplitudes(const AnalysisContext& context);
 std::vector<Finding> achieved_damping(const AnalysisContext& context);
+std::vector<Finding> coupled_damping(const AnalysisContext& context);
+std::vector<Finding> long_run(const AnalysisContext& context);
+std::vector<Finding> multiplets(const AnalysisContext& context);
+std::vector<Finding> locking(const AnalysisContext& context);
+std::vector<Finding> linearity(const AnalysisContext& context);
+std::vector<Finding> contact_stability(const AnalysisContext& context);
 std::vector<Finding> natural_frequencies(const AnalysisContext& context);
 std::vector<Finding> probe_extremes(const AnalysisContext& context);
 std::vector<Finding> collision_cost(const AnalysisContext& context);

@@ -27,6 +27,16 @@ const std::vector<Analysis>& analysis_catalogue() {
        "damping ratios asked for and achieved, mode by mode, by the full and the reduced system and by the study's "
        "steps",
        &achieved_damping, loaded},
+      {"damping-coupling", "what keeping the diagonal alone costs where damping couples modes", &coupled_damping,
+       loaded},
+      {"long-run",
+       "energy over a million steps of free vibration, by every integrator of fixed step and in closed form", &long_run,
+       loaded},
+      {"multiplets", "modes by two solvers, multiplet by multiplet", &multiplets},
+      {"locking", "static answers and first frequencies by degree of the elements as Poisson's ratio nears 1/2",
+       &locking, loaded},
+      {"linearity", "how far linear theory is off: estimated by a perturbation series, measured against finite strain",
+       &linearity, loaded},
       {"frequencies", "natural frequencies against published ones, with observed order", &natural_frequencies},
       {"probe-extremes", "largest and smallest probe values, when, and the static ones", &probe_extremes, loaded},
       {"collision-cost", "cost of points against polygons, a tree of boxes over them and an analytic shape",
@@ -41,6 +51,10 @@ const std::vector<Analysis>& analysis_catalogue() {
        "its layer, the polynomials and samples that carry it, its force over time, where the time goes; of eigenmodes, "
        "static correction and the study's linear and quadratic modes",
        &contact, touching},
+      {"contact-stability",
+       "which steps in contact are stable, inaccurate and unstable over the layer's stiffness, beside what one "
+       "linearised step predicts",
+       &contact_stability, touching},
       {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching},
       {"amplitude", "the speed of an impact at which linear theory ends, by linear against finite kinematics",
        &amplitude, touching},

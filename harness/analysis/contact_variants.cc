@@ -125,7 +125,7 @@ std::unique_ptr<Prepared> ContactVariants::prepare(const Scene& scene, const Con
   }
   settings.time_step = contender.time_step;
   return std::make_unique<Keeping>(changed, prepare_floating(bases_of(*changed, modes_, contender),
-                                                             context_.catalogue.integrator("exact"), settings));
+                                                             context_.catalogue.integrator(contender.integrator), settings));
 }
 
 std::unique_ptr<Prepared> ContactVariants::prepare_on_mesh(const ContactContender& contender,

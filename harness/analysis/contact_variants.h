@@ -12,6 +12,7 @@ struct ContactContender {
   int modes;                                 // elastic ones, of polynomials 0: all there are; -1: full order
   double time_step = 0;                      // [s] in contact, of modes
   double finest_sample = mb::finest_sample;  // [-] of the contact's radius, of modes
+  std::string integrator = "exact";          // of modes, in contact
 };
 
 Scene linearised(const Scene& scene);  // of linear kinematics, every body
@@ -41,6 +42,7 @@ class ContactVariants {
   std::shared_ptr<const FloatingBases> bases(const Scene& scene, const ContactContender& contender) const;
   std::unique_ptr<Prepared> prepare(const Scene& scene, const ContactContender& contender) const;
   Trajectory simulate(const Scene& scene, const ContactContender& contender) const;  // at its sample times
+  const ModalBody& body() const { return body_; }                                    // the first
 
  private:
   const AnalysisContext& context_;

@@ -37,9 +37,9 @@ MatrixXd in_mass_norm(const Trajectory& answer, const MetricContext& context) {
 }
 
 MatrixXd in_energy_norm(const Trajectory& answer, const MetricContext& context) {
-  const VectorXd& w = context.points.volume.weights;
-  const MatrixXd strain = answer.bodies[static_cast<size_t>(context.body)].strain.topRows(6 * w.size());
   const Material& material = context.scene.bodies[static_cast<size_t>(context.body)].material;
+  const VectorXd w = stiffness_weights(material, context.points.volume);
+  const MatrixXd strain = answer.bodies[static_cast<size_t>(context.body)].strain.topRows(6 * w.size());
   const Matrix6d root = elasticity_matrix(material).llt().matrixU();  // eps^T D eps = |U eps|^2
   const VectorXd tau = trapezoid_weights(answer.t);
   MatrixXd scaled(strain.rows(), strain.cols());

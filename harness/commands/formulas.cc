@@ -72,6 +72,22 @@ const std::map<std::string, FormulaAndSource>& analyses() {
        {"zeta_i = phi_i^T C phi_i / (2 omega_i); by decay: delta / sqrt(4 pi^2 + delta^2); of steps: "
         "-ln|lambda| / |ln lambda|",
         ours}},
+      {"damping-coupling",
+       {"|u_d - u| / |u|, u by complex modes of all of Phi^T C Phi, u_d by its diagonal",
+        "Foss 1958, J. Appl. Mech. 25; mechanics/system/complex_modes.h"}},
+      {"long-run", {"mean E at step n / mean E at the start - 1 ~ n^p over 10^6 steps of free vibration", ours}},
+      {"multiplets",
+       {"largest singular value of Phi_a - Phi_b Phi_b^T M Phi_a, a by Lanczos iterations, b by a dense solver", ours}},
+      {"locking",
+       {"|u_p - u| / |u| and f_p / f - 1 of elements of degree p at nu = 0.3 to 0.4999",
+        "Hughes 1987, The Finite Element Method, ch. 4"}},
+      {"contact-stability",
+       {"E(t)/E(0), F and J of an impact over step and k_n, against rho of one step with kappa = k_n pi a^2 at one "
+        "point",
+        "harness/analysis/contact_stability.h"}},
+      {"linearity",
+       {"|v2 + v3| / |u|, K v2 = -f2(u), K v3 = -c3(u, v2): terms of the stored energy's force beyond K u",
+        "Idelsohn and Cardona 1985, Comput. Methods Appl. Mech. Engng 49; harness/analysis/linearity.cc"}},
       {"frequencies",
        {"f_i / f_i* - 1 on a row of meshes, f* as the case states them, the observed order and the "
         "grid convergence index",

@@ -16,6 +16,7 @@
 #include "harness/study/run_case.h"
 #include "harness/study/stored.h"
 #include "reports/content.h"
+#include "reports/linear_warnings.h"
 
 namespace mb {
 
@@ -99,6 +100,12 @@ bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored,
                "{} of {} check{} not asked: no run answers, as --set chose what runs; `run` without it asks all\n",
                n_not_asked, results.size(), results.size() == 1 ? "" : "s");
   return all;
+}
+
+void print_warnings(const std::vector<Scene>& scenes, const StoredResults& stored, const Console& console) {
+  for (const Scene& scene : scenes)
+    for (const std::string& warning : linear_warnings(stored.records, scene))
+      fmt::print(console.err, "warning: {} · {}\n", scene.name, warning);
 }
 
 struct Outcome {
@@ -212,6 +219,7 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
   if (!shard->whole()) return outcome.n_failed > 0 ? 3 : 0;  // checks are of the whole
   const StoredResults stored = current_records(store, outcome.finished);
   const bool checks_hold = print_checks(outcome.finished, stored, options.overrides.empty(), console);
+  print_warnings(outcome.finished, stored, console);
   return outcome.n_failed > 0 ? 3 : checks_hold ? 0 : 1;
 }
 

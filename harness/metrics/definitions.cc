@@ -57,6 +57,9 @@ const std::map<std::string, Origin>& origins() {
         "U: spectrum of the truth's u" +
             u + "; w: weights of points",
         "window: Harris 1978, Proc. IEEE 66(1); harness/metrics/spectrum.h"}},
+      {"truth-strain", {"max_t max_i |e|, e: principal values of the strain of the truth at point i", "linear theory"}},
+      {"truth-rotation",
+       {"max_t max_i |curl p|/2 at point i, p: polynomials of degree 3 fitted to the truth's u" + u, "linear theory"}},
       {"first-touch", {"|t_0 - t_0*|, t_0 the time at which surfaces first meet; *: the truth", touch}},
       {"contact-duration", {"|T - T*| / T*, T = t_1 - t_0" + first, touch}},
       {"peak-force", {"|F - F*| / F*, F = max_t |f(t)|, f: all contact forces on the body" + first, touch}},

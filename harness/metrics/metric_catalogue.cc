@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "harness/metrics/contact_metrics.h"
+#include "harness/metrics/linearity.h"
 #include "harness/metrics/metric.h"
 #include "harness/metrics/motion.h"
 #include "harness/metrics/signal.h"
@@ -52,7 +53,7 @@ double strain_error(const Trajectory& answer, const Trajectory& truth, const Met
   const auto eps = all.topRows(n), eps_true = all_true.topRows(n);
   const Matrix6d D = elasticity_matrix(body(context).material);
   const VectorXd tau = trapezoid_weights(truth.t);
-  const VectorXd& w = context.points.volume.weights;
+  const VectorXd w = stiffness_weights(body(context).material, context.points.volume);
   return std::sqrt(ratio(squared_energy_norm(eps - eps_true, D, w, tau), squared_energy_norm(eps_true, D, w, tau)));
 }
 
@@ -143,7 +144,9 @@ VectorXd equivalent(Stresses s) {     // sqrt(3/2 s:s), column by column
 VectorXd von_mises_signal(const Trajectory& trajectory, const MetricContext& context) {
   const MatrixXd& strain = trajectory.bodies[static_cast<std::size_t>(context.body)].strain;
   const Index place = context.points.volume.points.cols() + place_of_probe(context);
-  Stresses s = elasticity_matrix(body(context).material) * strain.middleRows(6 * place, 6);
+  const Material& material = body(context).material;
+  const Vector3d X = context.scene.probes[static_cast<std::size_t>(context.probe)].point;
+  Stresses s = stiffness_factor(material, X) * elasticity_matrix(material) * strain.middleRows(6 * place, 6);
   s.topRows(3).rowwise() -= s.topRows(3).colwise().mean().eval();
   return equivalent(s);
 }
@@ -152,7 +155,9 @@ VectorXd von_mises_signal(const Trajectory& trajectory, const MetricContext& con
 double stress_size(const Trajectory& truth, const MetricContext& context) {
   const MatrixXd& strain = truth.bodies[static_cast<std::size_t>(context.body)].strain;
   if (strain.cols() == 0) return nan;
-  const Stresses all = elasticity_matrix(body(context).material) * strain.reshaped(6, strain.size() / 6);
+  const Material& material = body(context).material;
+  const VectorXd factors = stiffness_factors(material, context.points.strained()).replicate(strain.cols(), 1);
+  const Stresses all = elasticity_matrix(material) * strain.reshaped(6, factors.size()) * factors.asDiagonal();
   return equivalent(all).maxCoeff() / von_mises_signal(truth, context).maxCoeff();
 }
 
@@ -172,6 +177,13 @@ double truth_above_band(const Trajectory&, const Trajectory& truth, const Metric
   }
   const VectorXd w = context.points.volume.weights.replicate(1, 3).transpose().reshaped();
   return energy_share_above(motion(truth, context).volume, w, 1 / step, context.scene.samples_per_second / 20);
+}
+
+double truth_strain(const Trajectory&, const Trajectory& truth, const MetricContext& context) {
+  return largest_strain(truth, context);
+}
+double truth_rotation(const Trajectory&, const Trajectory& truth, const MetricContext& context) {
+  return largest_rotation(truth, context);
 }
 
 std::vector<Metric> catalogue() {
@@ -205,6 +217,11 @@ std::vector<Metric> catalogue() {
       {"truth-above-band", "-",
        "Share of the kinetic energy of the truth's deformation (Hann window) above a twentieth of samples_per_second.",
        no, no, truth_alone, &truth_above_band},
+      {"truth-strain", "-", "Largest principal strain of the truth over points and times.", no, no, truth_alone,
+       &truth_strain},
+      {"truth-rotation", "rad",
+       "Largest rotation of a piece of the body in the truth's deformation, |curl u|/2 of polynomials of degree 3.", no,
+       no, truth_alone, &truth_rotation},
   };
 }
 

@@ -21,4 +21,8 @@ FramedMotion motion(const Trajectory& trajectory, const MetricContext& context) 
   return result;
 }
 
+VectorXd stiffness_weights(const Material& material, const Quadrature& volume) {
+  return volume.weights.cwiseProduct(stiffness_factors(material, volume.points));
+}
+
 }  // namespace mb

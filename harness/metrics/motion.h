@@ -16,4 +16,7 @@ struct FramedMotion {
 
 FramedMotion motion(const Trajectory& trajectory, const MetricContext& context);
 
+// [m^3] weights of eps^T D eps over a body, D outside of inclusions: those of the rule times the factor on stiffness.
+VectorXd stiffness_weights(const Material& material, const Quadrature& volume);
+
 }  // namespace mb

@@ -131,7 +131,13 @@ class Change {
 std::vector<BodyDraft> drafts(const Scene& scene) {
   std::vector<BodyDraft> all;
   for (const Body& body : scene.bodies) {
-    BodyDraft draft{body.name, body.shape, body.material, body.resolution, {}, {}};
+    BodyDraft draft{.name = body.name,
+                    .shape = body.shape,
+                    .material = body.material,
+                    .resolution = body.resolution,
+                    .damping = {},
+                    .supports = {},
+                    .dashpots = {}};
     draft.damping.ratios = body.damping_ratios;
     draft.theory = body.theory;
     draft.touches = std::ranges::any_of(

@@ -8,7 +8,7 @@
 namespace mb {
 namespace {
 
-constexpr double most_rounding = 1e-6;  // [-] of |b|
+constexpr double most_rounding = 1e-4;  // [-] of |b|; a bar 200 times as long as wide comes to 1e-5
 
 // | |A| |x| | eps: what rounding leaves of A x when its terms cancel.
 double rounding_of_product(const SparseMatrix& A, const VectorXd& x) {

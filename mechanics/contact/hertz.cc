@@ -17,7 +17,8 @@ void require_positive(double value, const char* what) { require(std::isfinite(va
 
 // (1 - nu^2)/E [1/Pa]
 double compliance(const Material& material) {
-  if (material.orthotropy) throw std::invalid_argument("hertz: the contact modulus is that of isotropic materials");
+  if (!is_uniform(material))
+    throw std::invalid_argument("hertz: the contact modulus is that of isotropic materials without inclusions");
   const double nu = material.poissons_ratio;
   require_positive(material.youngs_modulus, "Young's modulus must be positive");
   require(nu > -1 && nu <= 0.5, "Poisson's ratio must lie in (-1, 1/2]", nu);

@@ -20,14 +20,16 @@ double volume(const Shape& shape) {
                     shape);
 }
 
-double extent(const Shape& shape) {
-  return std::visit(overloaded{[](const Box& b) { return b.size.maxCoeff(); },
-                               [](const Cylinder& c) { return std::max(2 * c.radius, c.length); },
-                               [](const Sphere& s) { return 2 * s.radius; },
-                               [](const Superquadric& s) { return 2 * s.semi_axes.maxCoeff(); },
-                               [](const TaperedSuperquadric& s) { return bounds(s).sizes().maxCoeff(); }},
+Vector3d extents(const Shape& shape) {
+  return std::visit(overloaded{[](const Box& b) -> Vector3d { return b.size; },
+                               [](const Cylinder& c) { return Vector3d(2 * c.radius, 2 * c.radius, c.length); },
+                               [](const Sphere& s) -> Vector3d { return Vector3d::Constant(2 * s.radius); },
+                               [](const Superquadric& s) -> Vector3d { return 2 * s.semi_axes; },
+                               [](const TaperedSuperquadric& s) -> Vector3d { return bounds(s).sizes(); }},
                     shape);
 }
+
+double extent(const Shape& shape) { return extents(shape).maxCoeff(); }
 
 std::vector<std::string> face_names(const Shape& shape) {
   return std::visit(overloaded{[](const Box&) -> std::vector<std::string> {

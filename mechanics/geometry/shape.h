@@ -33,8 +33,9 @@ struct TaperedSuperquadric {
 };
 using Shape = std::variant<Box, Cylinder, Sphere, Superquadric, TaperedSuperquadric>;
 
-double volume(const Shape& shape);  // [m^3]
-double extent(const Shape& shape);  // [m] largest edge of the bounding box: the size that deviations are divided by
+double volume(const Shape& shape);     // [m^3]
+Vector3d extents(const Shape& shape);  // [m] edges of the bounding box along x, y, z
+double extent(const Shape& shape);     // [m] the largest of them: the size that deviations are divided by
 
 // Names by which case files refer to parts of the boundary: box x-min x-max y-min y-max z-min z-max;
 // cylinder side z-min z-max; sphere and superquadrics surface.

@@ -18,10 +18,12 @@ struct Rayleigh {
   double beta = 0;   // [s] >= 0, stiffness-proportional
 };
 
-// W diag(d) W^T on top of Rayleigh damping. Full order: W = M Phi, the modes whose ratios a scene states.
+// W diag(d) W^T on top of Rayleigh damping. Full order: W = M Phi, the modes whose ratios a scene states, and for every
+// dashpot a column of mean values over its patch, with d its coefficient.
 struct ModalDamping {
-  MatrixXd W;  // [kg^1/2] n x k; k may be 0
-  VectorXd d;  // [1/s] k; may be negative where Rayleigh damping alone would exceed the ratio: C stays semi-definite
+  MatrixXd W;  // [kg^1/2], of dashpots [-]; n x k; k may be 0
+  VectorXd d;  // [1/s], of dashpots [kg/s]; k; may be negative where Rayleigh damping alone would exceed the ratio: C
+               // stays semi-definite
 };
 
 }  // namespace mb

@@ -52,6 +52,19 @@ Matrix6d elasticity_matrix(const Material& m) {
   return D;
 }
 
+bool is_uniform(const Material& m) { return !m.orthotropy && m.inclusions.empty(); }
+
+double stiffness_factor(const Material& m, const Vector3d& X) {
+  for (auto inclusion = m.inclusions.rbegin(); inclusion != m.inclusions.rend(); ++inclusion)
+    if ((2 * (X - inclusion->centre).cwiseAbs().array() <= inclusion->size.array()).all())
+      return inclusion->stiffness_factor;
+  return 1;
+}
+
+VectorXd stiffness_factors(const Material& m, const Matrix3Xd& X) {
+  return VectorXd::NullaryExpr(X.cols(), [&](Index p) { return stiffness_factor(m, X.col(p)); });
+}
+
 double shear_wave_speed(const Material& m) { return std::sqrt(shear_modulus(m) / m.density); }
 
 }  // namespace mb

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "mechanics/types.h"
 
@@ -21,15 +22,28 @@ struct Orthotropy {
 };
 bool is_stable(const Orthotropy& orthotropy);  // whether its compliance is SPD, beyond doubt of rounding
 
+// A box, edges along the body's axes, in which every modulus is the material's times a factor; density stays.
+struct Inclusion {
+  Vector3d centre;         // [m] body frame
+  Vector3d size;           // [m] each > 0
+  double stiffness_factor; /* [-] in [1e-8, 1e8] */
+};
+
 struct Material {
   double youngs_modulus;  // [Pa] > 0; of an orthotropic material the largest of its moduli: a scale, no more
   double poissons_ratio;  // [-] in (-1, 1/2); not used where orthotropic
   double density;         // [kg/m^3] > 0
   std::optional<Orthotropy> orthotropy = std::nullopt;
+  std::vector<Inclusion> inclusions = {};
 };
+bool is_uniform(const Material& material);  // isotropic, without inclusions
+// [-] by which D is multiplied at X [m], body frame: that of the last inclusion which holds X, 1 outside of all.
+double stiffness_factor(const Material& material, const Vector3d& X);
+VectorXd stiffness_factors(const Material& material, const Matrix3Xd& X);  // one a column
 
-double shear_modulus(const Material& material);  // [Pa]; orthotropic: the largest of the three
-// [Pa] sigma = D eps, SPD. Throws std::invalid_argument where an orthotropic material is not stable.
+double shear_modulus(const Material& material);  // [Pa]; orthotropic: the largest of the three; of no inclusion
+// [Pa] sigma = D eps, SPD, outside of inclusions. Throws std::invalid_argument where an orthotropic material is not
+// stable.
 Matrix6d elasticity_matrix(const Material& material);
 double shear_wave_speed(const Material& material);  // [m/s] sqrt(mu/rho)
 

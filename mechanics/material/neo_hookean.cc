@@ -8,7 +8,8 @@ namespace mb {
 using Eigen::Matrix3d;
 
 Lame lame(const Material& m) {
-  if (m.orthotropy) throw std::invalid_argument("Lame's constants are those of an isotropic material");
+  if (!is_uniform(m))
+    throw std::invalid_argument("Lame's constants are those of an isotropic material, the same throughout");
   const double nu = m.poissons_ratio;
   return {m.youngs_modulus * nu / ((1 + nu) * (1 - 2 * nu)), shear_modulus(m)};
 }

@@ -62,8 +62,9 @@ double distance(const States& a, const States& b) {
 
 TEST(ExactTest, MatchesRungeKutta) {
   const VectorXd times = equally_spaced(2.5, 41);
-  for (const System& system : {supported(all_exact_loads()), supported({}), free_chain(all_exact_loads()),
-                               free_chain({}), diagonal(all_exact_loads())}) {
+  for (const System& system :
+       {supported(all_exact_loads()), supported({}), free_chain(all_exact_loads()), free_chain({}),
+        diagonal(all_exact_loads()), braked(all_exact_loads()), braked(all_exact_loads(), 300)}) {
     const States states = exact(system, 2.5)->run(times);
     EXPECT_EQ(states.status, Status::ok);
     EXPECT_EQ(states.n_valid, times.size());
@@ -88,8 +89,8 @@ TEST(ExactTest, ResampledLoadsKeepTheirTolerance) {
 
 // Equal steps repeat one transition; single times are evaluated from the start of their piece.
 TEST(ExactTest, EqualStepsEqualSingleTimes) {
-  for (const System& system :
-       {supported(all_exact_loads()), free_chain(all_exact_loads()), diagonal(all_exact_loads())}) {
+  for (const System& system : {supported(all_exact_loads()), free_chain(all_exact_loads()), diagonal(all_exact_loads()),
+                               braked(all_exact_loads())}) {
     const auto stepper = exact(system, 30);
     const VectorXd times = equally_spaced(30, 1801);
     const States together = stepper->run(times);

@@ -35,6 +35,13 @@ inline System supported(std::vector<History> loads, Rayleigh damping = {0.3, 0.0
           random_matrix(n, 1, 5)};
 }
 
+// The same, a dashpot between the ground and two unknowns: no modes of the undamped system are free of each other.
+inline System braked(std::vector<History> loads, double damping = 0.7) {
+  System system = supported(std::move(loads));
+  system.modal_damping = {VectorXd{{1, 0, -0.5, 0}}, VectorXd::Constant(1, damping)};
+  return system;
+}
+
 // A chain of masses and springs, free at both ends: one rigid mode, damped by alpha and beta in its deformation only.
 inline System free_chain(std::vector<History> loads, Rayleigh damping = {0.5, 0.01}) {
   const Index n = 5, n_loads = static_cast<Index>(loads.size());

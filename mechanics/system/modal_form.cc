@@ -36,7 +36,6 @@ double rigid_bound(VectorXd lambda, Index n_rigid) {
 struct ModalCoefficients {
   VectorXd c;
   double coupling = 0;  // [-]
-  Index row = 0, column = 0;
 };
 
 // lambda exactly 0 for rigid modes. G = Phi^T W: n x number of modes with ratios of their own.
@@ -58,10 +57,7 @@ ModalCoefficients coefficients(const VectorXd& lambda, const MatrixXd& G, const 
     column.noalias() = G * d.cwiseProduct(G.row(j).transpose());
     for (Index i = j + 1; i < lambda.size(); ++i) {
       const double coupling = std::abs(column[i]) / std::max({result.c[i], result.c[j], rounding});
-      if (std::abs(column[i]) <= rounding || coupling <= result.coupling) continue;
-      result.coupling = coupling;
-      result.row = i;
-      result.column = j;
+      if (std::abs(column[i]) > rounding) result.coupling = std::max(result.coupling, coupling);
     }
   }
   return result;
@@ -110,12 +106,11 @@ ModalForm dense(const System& system) {
   const MatrixXd G =
       system.modal_damping.d.size() > 0 ? MatrixXd(Phi.transpose() * system.modal_damping.W) : MatrixXd();
   ModalCoefficients damping = coefficients(lambda, G, system);
-  if (damping.coupling > decoupled)
-    throw std::runtime_error(fmt::format(
-        "the damping couples modes {} and {} by {:.3g} of the larger of their coefficients: no closed form (modes with "
-        "ratios of their own are to be modes of this system)",
-        damping.column, damping.row, damping.coupling));
-  return {std::move(lambda), std::move(damping.c), std::move(Phi)};
+  if (damping.coupling <= decoupled) return {std::move(lambda), std::move(damping.c), std::move(Phi)};
+  const auto [alpha, beta] = system.damping;
+  MatrixXd C = G * system.modal_damping.d.asDiagonal() * G.transpose();
+  C.diagonal() += VectorXd((lambda.array() > 0).select(alpha + beta * lambda.array(), 0));
+  return {std::move(lambda), std::move(damping.c), std::move(Phi), std::move(C)};
 }
 
 }  // namespace

@@ -48,8 +48,9 @@ ElasticModes shift_invert(const System& system, Index n_elastic, const ShiftedFa
   const Krylov krylov{std::min(n_all, room(n_elastic, effort)), effort.tolerance};
   const EigenPairs found = largest_pairs(inverse, mass, system.R, noise(n, effort.block, effort.seed), missing, krylov);
   // Lanczos measures errors in the M norm; in the plain residual the high frequencies weigh lambda_max/lambda times
-  // more. The application of T that these vectors contain has damped them by as much.
-  return rayleigh_ritz(system, found.vectors);
+  // more. One more application of T damps them by as much: what is left is what rounding of phi makes of K phi, about
+  // eps | |K| |phi| |, a hundredth to a hundred thousandth of what it was.
+  return rayleigh_ritz(system, inverse(mass(found.vectors)));
 }
 
 }  // namespace mb

@@ -65,6 +65,19 @@ TEST(ModalProjection, KeepsTheDampingOfSingleModesApart) {
   EXPECT_EQ(project(body, lowest_modes(body, 0, beam_shift)).modal_damping.d.size(), 0);
 }
 
+// A mode that creeps, damped 10^8 times over, leaves the damping of the others alone.
+TEST(ModalProjection, KeepsWeakDampingBesideStrong) {
+  System body = with_ratios(beam(false).system, 6);
+  body.modal_damping.d(4) = 1e10;
+  const System reduced = project(body, lowest_modes(body, 12, beam_shift));
+  const auto& [W, d] = reduced.modal_damping;
+  ASSERT_EQ(d.size(), body.modal_damping.d.size());
+  for (Index k = 0; k < d.size(); ++k) {
+    EXPECT_EQ(W.col(k), VectorXd::Unit(W.rows(), 6 + k));
+    EXPECT_NEAR(d(k), body.modal_damping.d(k), 1e-6 * d(k));  // 1e10 of an angle of 1e-8 squared
+  }
+}
+
 TEST(ModalProjection, KeepsTheDampingOfSingleModesInAnyBasis) {
   const System body = with_ratios(beam(false).system, 12);
   Modes modes = lowest_modes(body, 12, beam_shift);

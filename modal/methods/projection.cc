@@ -14,11 +14,21 @@ SparseMatrix diagonal(const VectorXd& d) {
 // next frequency, but not by more: multiplets are whole in either.
 constexpr double rounding = 1e-8;  // [-]
 
-// C = W diag(d) W^T as sum of C_ii e_i e_i^T, where it is that.
-ModalDamping decoupled(const MatrixXd& C, double negligible) {
+// Whether what couples two modes is no more than that angle makes of the stronger damping of either: beside a mode
+// damped 10^8 times as much another one's damping still counts.
+bool decouples(const MatrixXd& C) {
+  const double least = rounding * rounding * C.diagonal().cwiseAbs().maxCoeff();
+  for (Index j = 0; j < C.cols(); ++j)
+    for (Index i = j + 1; i < C.rows(); ++i)
+      if (std::abs(C(i, j)) > std::max(least, rounding * std::max(std::abs(C(i, i)), std::abs(C(j, j))))) return false;
+  return true;
+}
+
+// C = W diag(d) W^T as sum of C_ii e_i e_i^T. Of a mode that W does not hold it is the square of that angle.
+ModalDamping decoupled(const MatrixXd& C, double largest) {
   std::vector<Index> damped;
   for (Index i = 0; i < C.rows(); ++i)
-    if (std::abs(C(i, i)) > negligible) damped.push_back(i);
+    if (std::abs(C(i, i)) > rounding * rounding * largest) damped.push_back(i);
   return {MatrixXd::Identity(C.rows(), C.cols())(Eigen::all, damped), C.diagonal()(damped)};
 }
 
@@ -26,9 +36,7 @@ ModalDamping project(const ModalDamping& damping, const MatrixXd& Phi) {
   if (damping.d.size() == 0 || Phi.cols() == 0) return {MatrixXd(Phi.cols(), 0), VectorXd(0)};
   const MatrixXd W = Phi.transpose() * damping.W;
   const MatrixXd C = W * damping.d.asDiagonal() * W.transpose();
-  const double negligible = rounding * damping.d.cwiseAbs().maxCoeff();  // columns of W are at most of unit length
-  const MatrixXd coupling = C - MatrixXd(C.diagonal().asDiagonal());
-  if (coupling.cwiseAbs().maxCoeff() <= negligible) return decoupled(C, negligible);
+  if (decouples(C)) return decoupled(C, damping.d.cwiseAbs().maxCoeff());  // columns of W: at most of unit length
   std::vector<Index> seen;  // modes of W of which Phi sees anything
   for (Index k = 0; k < W.cols(); ++k)
     if (W.col(k).norm() > rounding) seen.push_back(k);

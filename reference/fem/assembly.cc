@@ -62,18 +62,21 @@ int position(const SparseMatrix& pattern, int a, int b) {
   return static_cast<int>(std::lower_bound(first, last, a) - first);
 }
 
-// N and its gradients at the quadrature points of one cell, rows: points, columns: nodes; gradients times sqrt(w).
+// N and its gradients at the quadrature points of one cell, rows: points, columns: nodes. f: what the material's
+// stiffness is multiplied by there.
 struct CellValues {
   MatrixXd N;                  // sqrt(w) N
-  std::array<MatrixXd, 3> dN;  // sqrt(w) d_k N
+  std::array<MatrixXd, 3> dN;  // sqrt(w f) d_k N
 };
-void evaluate(const dealii::FEValues<3>& values, CellValues& cell) {
+void evaluate(const dealii::FEValues<3>& values, const Material& material, CellValues& cell) {
   for (unsigned q = 0; q < values.n_quadrature_points; ++q) {
     const double root = std::sqrt(values.JxW(q));
+    const auto& x = values.quadrature_point(q);
+    const double stiff_root = root * std::sqrt(stiffness_factor(material, {x[0], x[1], x[2]}));
     for (unsigned a = 0; a < values.dofs_per_cell; ++a) {
       cell.N(q, a) = root * values.shape_value(a, q);
       const auto& gradient = values.shape_grad(a, q);
-      for (unsigned k = 0; k < 3; ++k) cell.dN[k](q, a) = root * gradient[k];
+      for (unsigned k = 0; k < 3; ++k) cell.dN[k](q, a) = stiff_root * gradient[k];
     }
   }
 }
@@ -122,8 +125,9 @@ Matrices assemble(const Discretisation& d, const Material& material) {
   Matrices sum{expand(pattern, false), expand(pattern, true), 0};
   const Matrix6d D = elasticity_matrix(material);
   const dealii::QGauss<3> gauss(d.element.degree + 1);
-  dealii::FEValues<3> values(d.mapping, d.element, gauss,
-                             dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
+  dealii::FEValues<3> values(
+      d.mapping, d.element, gauss,
+      dealii::update_values | dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
   const Index n = d.element.n_dofs_per_cell(), n_q = gauss.size();
   CellValues cell_values{MatrixXd(n_q, n), {MatrixXd(n_q, n), MatrixXd(n_q, n), MatrixXd(n_q, n)}};
   Blocks stiffness;
@@ -131,7 +135,7 @@ Matrices assemble(const Discretisation& d, const Material& material) {
   Indices ids(static_cast<size_t>(n));
   for (const auto& cell : d.nodes.active_cell_iterators()) {
     values.reinit(cell);
-    evaluate(values, cell_values);
+    evaluate(values, material, cell_values);
     stiffness_blocks(D, cell_values, stiffness);
     const MatrixXd mass = material.density * (cell_values.N.transpose() * cell_values.N);
     cell->get_dof_indices(ids);

@@ -21,12 +21,22 @@ struct Mesh {
 // The integrands of the divergence theorem on a cell are polynomials of degree 3p - 1 per direction, the quadrature is
 // exact to 2p + 1: for p <= 2, or straight cells, only rounding is left; beyond, the quadrature error of curved cells,
 // which falls fast as they are split.
-const std::vector<Mesh> meshes = {
-    {box, {1, {3, 2, 4}}, 1e-13},   {box, {4, {1, 1, 2}}, 1e-13},  {cylinder, {1, {2, 3}}, 1e-13},
-    {cylinder, {2, {1, 2}}, 1e-13}, {cylinder, {3, {1, 2}}, 1e-5}, {cylinder, {4, {1, 2}}, 1e-5},
-    {cylinder, {3, {2, 4}}, 1e-6},  {cylinder, {4, {2, 4}}, 1e-6}, {sphere, {1, {1}}, 1e-13},
-    {sphere, {2, {1}}, 1e-13},      {sphere, {1, {2}}, 1e-13},     {sphere, {2, {2}}, 1e-13},
-    {cylinder, {1, {0, 1}}, 1e-13}, {cylinder, {2, {0, 3}}, 1e-13}};
+const std::vector<Mesh> meshes = {{box, {1, {3, 2, 4}}, 1e-13},
+                                  {box, {4, {1, 1, 2}}, 1e-13},
+                                  {cylinder, {1, {2, 3}}, 1e-13},
+                                  {cylinder, {2, {1, 2}}, 1e-13},
+                                  {cylinder, {3, {1, 2}}, 1e-5},
+                                  {cylinder, {4, {1, 2}}, 1e-5},
+                                  {cylinder, {3, {2, 4}}, 1e-6},
+                                  {cylinder, {4, {2, 4}}, 1e-6},
+                                  {sphere, {1, {1}}, 1e-13},
+                                  {sphere, {2, {1}}, 1e-13},
+                                  {sphere, {1, {2}}, 1e-13},
+                                  {sphere, {2, {2}}, 1e-13},
+                                  {cylinder, {1, {0, 1}}, 1e-13},
+                                  {cylinder, {2, {0, 3}}, 1e-13},
+                                  {box, {1, {3, 2, 4}, 0, {1, 5, 0.1}, 0.25}, 1e-13},
+                                  {box, {2, {3, 2, 4}, 0, {}, 0.2}, 1e-13}};
 
 // Node values of the displacement u = G x.
 VectorXd linear_field(const Discretisation& d, const Eigen::Matrix3d& G) {
@@ -120,6 +130,30 @@ TEST(Evaluation, LinearFieldsAreReproducedAtEveryPoint) {
 TEST(Evaluation, RefusesAPointFarOutside) {
   const Discretisation d(box, {1, {2, 2, 2}});
   EXPECT_THROW(displacement_at(d, Vector3d(1, 1, 1)), std::invalid_argument);
+}
+
+// Two layers pulled along z, each held aside: springs in series, sigma = D_zz eps in either.
+TEST(Inclusion, OfHalfTheBodyIsASpringInSeries) {
+  const double factor = 1e6;
+  Material layered{2e4, 0.3, 1100};
+  layered.inclusions = {{{0, 0, 0.125}, {0.3, 0.2, 0.25}, factor}};
+  const Discretisation d(box, {2, {2, 1, 4}});
+  const SparseMatrix K = assemble(d, layered).K;
+  const double soft = 1e-3, stiff = soft / factor;  // [-] strains
+  VectorXd u(d.n_dofs());
+  const Matrix3Xd x = d.node_positions();
+  for (Index a = 0; a < d.n_nodes(); ++a) {
+    const double z = x(2, a);
+    u.segment<3>(3 * a) << 0, 0, z < 0 ? soft * (z + 0.25) : soft * 0.25 + stiff * z;
+  }
+  const VectorXd f = K * u, pull = patch_load(d, {"z-max", {}}, {0, 0, 1}, 0);
+  const double sigma = elasticity_matrix(layered)(2, 2) * soft;
+  for (Index a = 0; a < d.n_nodes(); ++a)
+    if (x(2, a) > -0.24) {                                                           // below, the support reacts
+      EXPECT_NEAR(f[3 * a + 2], sigma * pull[3 * a + 2], 1e-8 * sigma * 0.06) << a;  // 1e6 times a few eps
+    }
+  EXPECT_EQ(stiffness_factor(layered, {0, 0, 0.1}), factor);
+  EXPECT_EQ(stiffness_factor(layered, {0, 0, -0.1}), 1);
 }
 
 }  // namespace

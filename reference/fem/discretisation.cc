@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "cases/scene/resolution.h"
+#include "reference/fem/box_mesh.h"
 #include "reference/fem/superquadric_mesh.h"
 
 namespace mb::fem {
@@ -62,6 +63,7 @@ const Shape& meshable(const Shape& shape, const Resolution& resolution) {
   const auto& cells = resolution.cells;
   bool possible = resolution.degree >= 1 && resolution.degree <= 4 && resolution.graded >= 0 &&
                   resolution.graded <= 12 && cells.size() == n_cell_entries(shape);
+  if (!std::holds_alternative<Box>(shape)) possible = possible && resolution.bias.empty() && resolution.distorted == 0;
   for (size_t i = 0; possible && i < cells.size(); ++i) {
     const int least = i == 0 && std::holds_alternative<Cylinder>(shape) ? 0 : 1;
     possible = cells[i] >= least && cells[i] <= 1024;
@@ -72,17 +74,14 @@ const Shape& meshable(const Shape& shape, const Resolution& resolution) {
   return shape;
 }
 
-void make(Mesh& mesh, const Box& box, const std::vector<int>& cells) {
-  const Vector3d h = 0.5 * box.size;
-  dealii::GridGenerator::subdivided_hyper_rectangle(mesh, std::vector<unsigned>(cells.begin(), cells.end()),
-                                                    Point(-h[0], -h[1], -h[2]), Point(h[0], h[1], h[2]));
-}
+void make(Mesh& mesh, const Box& box, const Resolution& resolution) { make_box(mesh, box, resolution); }
 
 // Five blocks in the disc, each edge split, or one square in it; extruded along z.
-void make(Mesh& mesh, const Cylinder& cylinder, const std::vector<int>& cells) {
+void make(Mesh& mesh, const Cylinder& cylinder, const Resolution& resolution) {
+  const std::vector<int>& cells = resolution.cells;
   if (cells[0] == 0) {
     const double edge = std::sqrt(2.0) * cylinder.radius;
-    return make(mesh, Box{{edge, edge, cylinder.length}}, {1, 1, cells[1]});
+    return make_box(mesh, Box{{edge, edge, cylinder.length}}, {1, {1, 1, cells[1]}});
   }
   dealii::Triangulation<2> disc, flat;
   dealii::GridGenerator::hyper_ball(disc, dealii::Point<2>(), cylinder.radius);
@@ -92,16 +91,16 @@ void make(Mesh& mesh, const Cylinder& cylinder, const std::vector<int>& cells) {
   dealii::GridTools::shift(Point(0, 0, -0.5 * cylinder.length), mesh);
 }
 
-void make(Mesh& mesh, const Sphere& sphere, const std::vector<int>& cells) {
+void make(Mesh& mesh, const Sphere& sphere, const Resolution& resolution) {
   dealii::GridGenerator::hyper_ball(mesh, Point(), sphere.radius);
-  mesh.refine_global(static_cast<unsigned>(refinements(cells[0])));
+  mesh.refine_global(static_cast<unsigned>(refinements(resolution.cells[0])));
 }
 
-void make(Mesh& mesh, const Superquadric& body, const std::vector<int>& cells) {
-  make_superquadric(mesh, {body, 0}, refinements(cells[0]));
+void make(Mesh& mesh, const Superquadric& body, const Resolution& resolution) {
+  make_superquadric(mesh, {body, 0}, refinements(resolution.cells[0]));
 }
-void make(Mesh& mesh, const TaperedSuperquadric& body, const std::vector<int>& cells) {
-  make_superquadric(mesh, body, refinements(cells[0]));
+void make(Mesh& mesh, const TaperedSuperquadric& body, const Resolution& resolution) {
+  make_superquadric(mesh, body, refinements(resolution.cells[0]));
 }
 
 // Gives every boundary face the index of the named face that all its vertices lie on; of two such the plane one: the
@@ -170,14 +169,14 @@ Discretisation::Discretisation(const Shape& shape_, const Resolution& resolution
       mapping(static_cast<unsigned>(resolution.degree)),
       element(static_cast<unsigned>(resolution.degree)),
       nodes(mesh) {
-  std::visit([&](const auto& s) { make(mesh, s, resolution.cells); }, shape);
+  std::visit([&](const auto& s) { make(mesh, s, resolution); }, shape);
   name_boundary(mesh, shape, faces);
   attach_manifold(mesh, shape, is_one_block(shape, resolution), faces);
   grade(mesh, shape, resolution, foci);
   nodes.distribute_dofs(element);
   hanging = hanging_nodes(nodes);
   map_conforming(nodes, hanging, mapping);
-  if (resolution.graded > 0) require_sound_cells(nodes, mapping);
+  if (resolution.graded > 0 || resolution.distorted > 0) require_sound_cells(nodes, mapping);
 }
 
 Matrix3Xd Discretisation::node_positions() const {

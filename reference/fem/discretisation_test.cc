@@ -4,6 +4,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <gtest/gtest.h>
 
+#include "reference/fem/box_mesh.h"
 #include "reference/fem/evaluation.h"
 
 namespace mb::fem {
@@ -101,6 +102,38 @@ TEST(Discretisation, RefusesResolutionsOutOfRange) {
                                                                                    {sphere, {1, {6}}},
                                                                                    {sphere, {1, {}}}})
     EXPECT_THROW(Discretisation(shape, resolution), std::invalid_argument) << shape.index() << to_string(resolution);
+}
+
+TEST(BoxMesh, GrowsGeometrically) {
+  const auto places = biased_places(1.5, 4, 8);  // 0.1, 0.2, 0.4, 0.8 m
+  const std::vector<double> expected{-0.75, -0.65, -0.45, -0.05, 0.75};
+  for (size_t i = 0; i < places.size(); ++i) EXPECT_NEAR(places[i], expected[i], 1e-15) << i;
+  EXPECT_EQ(biased_places(2, 1, 8), (std::vector<double>{-1, 1}));
+}
+
+TEST(BoxMesh, DistortedKeepsVolumeFacesAndNodesOfTheFaces) {
+  const Shape box = Box{{0.3, 0.2, 0.5}};
+  const Discretisation even(box, {2, {3, 4, 5}}), moved(box, {2, {3, 4, 5}, 0, {}, 0.25});
+  EXPECT_NEAR(jacobians(moved, dealii::QGauss<3>(3)).volume, volume(box), 1e-15);
+  EXPECT_LT(jacobians(moved, dealii::QGauss<3>(3)).least, 0.6 * jacobians(even, dealii::QGauss<3>(3)).least);
+  const Matrix3Xd x = even.node_positions(), y = moved.node_positions();
+  const Eigen::Array3d cell(0.1, 0.05, 0.1);  // [m]
+  for (Index a = 0; a < x.cols(); ++a)
+    for (Index i = 0; i < 3; ++i) {
+      const bool on_face = std::abs(std::abs(x(i, a)) - extents(box)[i] / 2) < 1e-12;
+      EXPECT_LE(std::abs(x(i, a) - y(i, a)), on_face ? 1e-15 : 0.25 * cell[i] * (1 + 1e-12)) << a;
+    }
+  EXPECT_GT((x - y).norm(), 0.1 * 0.05 * std::sqrt(static_cast<double>(x.cols())));
+  EXPECT_EQ(Discretisation(box, {2, {3, 4, 5}, 0, {}, 0.25}).node_positions(), y) << "always alike";
+}
+
+TEST(BoxMesh, RefusesWhatNoBoxTakes) {
+  const Shape box = Box{{1, 1, 1}};
+  for (const Resolution& wrong : {Resolution{1, {2, 2, 2}, 0, {1, 1}}, Resolution{1, {2, 2, 2}, 0, {1, 1, 0}},
+                                  Resolution{1, {2, 2, 2}, 0, {}, 0.5}, Resolution{1, {2, 2, 2}, 0, {}, -0.1}})
+    EXPECT_THROW(Discretisation(box, wrong), std::invalid_argument) << to_string(wrong);
+  EXPECT_THROW(Discretisation(cylinder, {1, {1, 2}, 0, {}, 0.1}), std::invalid_argument);
+  EXPECT_THROW(Discretisation(cylinder, {1, {1, 2}, 0, {1, 1, 1}}), std::invalid_argument);
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ void require_one_ratio_a_multiplet(const Modes& found, const std::vector<double>
 ModalDamping ratios_as_damping(const System& s, const Body& body, const ModeSolver& modes) {
   const std::vector<double>& ratios = body.damping_ratios;
   if (!modes) throw std::invalid_argument("damping ratios of single modes: full order needs a solver for its modes");
-  if (!std::all_of(ratios.begin(), ratios.end(), [](double zeta) { return zeta >= 0 && zeta <= 10; }))
-    throw std::invalid_argument("damping ratios must lie in [0, 10]");
+  if (!std::all_of(ratios.begin(), ratios.end(), [](double zeta) { return zeta >= 0 && zeta <= 1e9; }))
+    throw std::invalid_argument("damping ratios must lie in [0, 1e9]");
   const Index n_ratios = static_cast<Index>(ratios.size());
   const Modes found = modes(s, body, static_cast<int>(n_ratios));
   const Index n = found.size() - found.n_rigid;
@@ -51,6 +51,20 @@ ModalDamping ratios_as_damping(const System& s, const Body& body, const ModeSolv
     damping.d[i] = 2 * zeta * omega - s.damping.alpha - s.damping.beta * omega * omega;
   }
   return damping;
+}
+
+// c w w^T for each dashpot, w^T u its patch's mean of u . n.
+void add_dashpots(const Body& body, const fem::Discretisation& mesh, const SparseMatrix& T, ModalDamping& damping) {
+  const Index n_before = damping.d.size(), n = static_cast<Index>(body.dashpots.size());
+  damping.W.conservativeResize(T.cols(), n_before + n);
+  damping.d.conservativeResize(n_before + n);
+  for (Index i = 0; i < n; ++i) {
+    const Dashpot& dashpot = body.dashpots[static_cast<size_t>(i)];
+    const VectorXd weighted = fem::patch_load(mesh, dashpot.patch, dashpot.direction, 0);
+    const double area = weighted.dot(fem::translation(mesh, dashpot.direction));  // [m^2] int w dA
+    damping.W.col(n_before + i) = T.transpose() * weighted / area;
+    damping.d[n_before + i] = dashpot.damping;
+  }
 }
 
 // [m] body frame, one a contact.
@@ -83,6 +97,7 @@ class DealiiModel final : public FullModel {
       system_.modal_damping = ratios_as_damping(system_, body, modes);
     else
       system_.modal_damping.W = MatrixXd(T.cols(), 0);
+    add_dashpots(body, mesh_, T, system_.modal_damping);
     if (body.kinematics == Kinematics::finite) {
       if (!body.damping_ratios.empty())
         throw std::invalid_argument("body '" + body.name +

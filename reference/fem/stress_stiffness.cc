@@ -27,7 +27,8 @@ SparseMatrix stress_stiffness(const Discretisation& d, const Material& material,
   if (u.size() != d.n_dofs()) throw std::invalid_argument("stress stiffness: displacements of all nodes are wanted");
   const Matrix6d D = elasticity_matrix(material);
   const dealii::QGauss<3> gauss(d.element.degree + 1);
-  dealii::FEValues<3> values(d.mapping, d.element, gauss, dealii::update_gradients | dealii::update_JxW_values);
+  dealii::FEValues<3> values(d.mapping, d.element, gauss,
+                             dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
   const Index n = d.element.n_dofs_per_cell();
   std::vector<dealii::types::global_dof_index> ids(static_cast<size_t>(n));
   std::vector<Eigen::Triplet<double>> entries;
@@ -41,7 +42,9 @@ SparseMatrix stress_stiffness(const Discretisation& d, const Material& material,
       for (Index a = 0; a < n; ++a)
         for (unsigned k = 0; k < 3; ++k) dN(k, a) = values.shape_grad(static_cast<unsigned>(a), q)[k];
       const Matrix3d H = own * dN.transpose();
-      G.noalias() += dN.transpose() * (values.JxW(q) * stress(D, H)) * dN;
+      const auto& x = values.quadrature_point(q);
+      const double factor = stiffness_factor(material, {x[0], x[1], x[2]});
+      G.noalias() += dN.transpose() * (values.JxW(q) * factor * stress(D, H)) * dN;
     }
     for (Index b = 0; b < n; ++b)
       for (Index a = 0; a < n; ++a)

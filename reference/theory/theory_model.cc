@@ -43,7 +43,7 @@ SparseMatrix diagonal(const VectorXd& d) {
 
 Vector3d box_of(const Body& body) {
   const Box* box = std::get_if<Box>(&body.shape);
-  if (!box || body.material.orthotropy)
+  if (!box || !is_uniform(body.material))
     throw std::invalid_argument(
         fmt::format("theory '{}' is of isotropic boxes: body '{}' is none", to_string(body.theory), body.name));
   return box->size;
@@ -54,12 +54,12 @@ std::vector<HalfWaves> half_waves(const Body& body, const Resolution& resolution
   const bool beam = body.theory == Theory::euler_bernoulli;
   const std::vector<int>& cells = resolution.cells;
   bool possible = body.theory != Theory::solid && resolution.degree == 1 && resolution.graded == 0 &&
-                  cells.size() == (beam ? 1 : 2);
+                  resolution.bias.empty() && resolution.distorted == 0 && cells.size() == (beam ? 1 : 2);
   for (const int n : cells) possible = possible && n >= 1 && n <= 1024;
   if (!possible)
     throw std::invalid_argument(fmt::format("body '{}' of theory '{}' has no half waves {}", body.name,
                                             to_string(body.theory), to_string(resolution)));
-  const auto& [E, nu, rho, orthotropy] = body.material;
+  const double E = body.material.youngs_modulus, nu = body.material.poissons_ratio, rho = body.material.density;
   // sqrt(E I/(rho A)) and sqrt(D/(rho h)) [m^2/s]
   const double c = size.z() * std::sqrt((beam ? E : E / (1 - nu * nu)) / (12 * rho));
   std::vector<HalfWaves> waves;

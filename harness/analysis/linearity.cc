@@ -1,0 +1,121 @@
+// How far linear theory is off, estimated from the stored energy alone and measured against finite deformation. The
+// body's answer to a u that grows is a series, each term static behind the one before,
+//
+//   f(e u + e^2 v2 + e^3 v3) = e K u + O(e^4):   K v2 = -f2(u),   K v3 = -c3(u, v2)
+//   f2 = (f(e u) + f(-e u)) / 2e^2,   c3 = ((f(e u + e^2 v2) - f(-e u + e^2 v2)) / 2 - e K u) / e^3
+//
+// v2: bending shortens what it turns; v3: what stretch and turn do to the stiffness. Estimate = |v2 + v3| / |u|, in the
+// M norm over the scene's samples. Idelsohn & Cardona 1985, Comput. Methods Appl. Mech. Engng 49, for v2 of single
+// modes.
+#include <cmath>
+#include <stdexcept>
+
+#include "cases/contract/linear_limits.h"
+#include "harness/analysis/analyses.h"
+#include "harness/analysis/modal_body.h"
+#include "harness/metrics/linearity.h"
+#include "harness/metrics/signal.h"
+#include "mechanics/system/stored_energy.h"
+#include "modal/methods/projection.h"
+
+namespace mb {
+
+namespace {
+
+constexpr int most_modes = 16;
+constexpr Index most_times = 40;
+constexpr double small =
+    1e-3;  // [-] e, times the largest displacement over the extent: f2 to 1e-7, c3 to 1e-4 of itself
+
+Finding linearity_table() {
+  return table("linearity", "linearity", "How far linear theory is off",
+               "Of the body's modes under the scene's loads, at up to forty of its samples. Strain and rotation: the "
+               "largest of the linear answer. Estimate: the first two terms beyond linear theory of a perturbation "
+               "series, each static, from the stored energy. Error: of the linear answer against the finite truth. "
+               "Verdict: whether strain or rotation is beyond what is taken without a warning.",
+               {{"modes r", ""},
+                {"largest strain", "-"},
+                {"largest rotation", "rad"},
+                {"second order", "-"},
+                {"third order", "-"},
+                {"estimate", "-"},
+                {"error", "-"},
+                {"estimate over error", "-"},
+                {"verdict", ""}});
+}
+
+VectorXd force(const StoredEnergy& energy, const VectorXd& u) {
+  VectorXd f(u.size());
+  if (!energy.force(u, VectorXd::Zero(u.size()), f))
+    throw std::runtime_error("linearity: a deformation of a thousandth of the answer inverts");
+  return f;
+}
+
+struct Terms {
+  VectorXd v2, v3;  // [m]
+};
+Terms terms(const System& system, const ShiftedFactor& shifted, const VectorXd& u, double extent) {
+  const StoredEnergy& energy = *system.stored_energy;
+  const double e = small * extent / u.cwiseAbs().maxCoeff();
+  const VectorXd f2 = (force(energy, e * u) + force(energy, -e * u)) / (2 * e * e);
+  const VectorXd v2 = inertia_relief(system, shifted, -f2);
+  const VectorXd odd = (force(energy, e * u + e * e * v2) - force(energy, -e * u + e * e * v2)) / 2;
+  const VectorXd c3 = (odd - e * (system.K * u)) / (e * e * e);
+  return {v2, inertia_relief(system, shifted, -c3)};
+}
+
+// Every n-th sample, none of those at which nothing has moved yet.
+std::vector<Index> few_samples(const MatrixXd& u) {
+  std::vector<Index> moved, picked;
+  const double largest = u.cwiseAbs().maxCoeff();
+  for (Index k = 0; k < u.cols(); ++k)
+    if (u.col(k).cwiseAbs().maxCoeff() > 1e-3 * largest) moved.push_back(k);
+  const auto n = static_cast<Index>(moved.size()), step = std::max<Index>(1, n / most_times);
+  for (Index k = 0; k < n; k += step) picked.push_back(moved[static_cast<size_t>(k)]);
+  return picked;
+}
+
+}  // namespace
+
+std::vector<Finding> linearity(const AnalysisContext& context) {
+  const Scene& scene = *context.scene;
+  const Body& scene_body = scene.bodies.front();
+  const ModalBody body = modal_body(context, std::min(mode_counts(context).back(), most_modes));
+  const System& system = body.system;
+  if (!system.stored_energy || !is_held(scene_body))
+    throw std::invalid_argument("linearity is told of bodies of kinematics 'finite' that supports hold");
+  Settings settings;
+  settings.load_tolerance = scene.study.load_tolerance;
+  System reduced = project(system, body.modes);
+  const VectorXd times = sample_times(scene);
+  const States states = context.catalogue.integrator("exact").prepare(reduced, settings, scene.duration)->run(times);
+  const Trajectory& truth = context.truth.same_mesh;
+  const MatrixXd& finite = truth.bodies.front().displacement;
+  Trajectory linear;
+  linear.t = times;
+  linear.bodies.resize(1);
+  linear.bodies[0].displacement = body.model.displacement * (body.modes.Phi * states.u);
+  linear.bodies[0].strain = body.model.strain * (body.modes.Phi * states.u);
+  const MetricContext metric{scene, 0, body.model.points, false};
+  const VectorXd w = body.model.points.volume.weights.replicate(1, 3).transpose().reshaped();
+  const auto squared = [&](const VectorXd& at_points) { return at_points.head(w.size()).cwiseAbs2().dot(w); };
+  double of_u = 0, of_2 = 0, of_3 = 0, of_sum = 0, of_error = 0;
+  for (const Index k : few_samples(states.u)) {
+    const VectorXd u = body.modes.Phi * states.u.col(k);
+    const Terms t = terms(system, body.shifted, u, extent(scene_body.shape));
+    of_u += squared(linear.bodies[0].displacement.col(k));
+    of_2 += squared(body.model.displacement * t.v2);
+    of_3 += squared(body.model.displacement * t.v3);
+    of_sum += squared(body.model.displacement * (t.v2 + t.v3));
+    of_error += squared(linear.bodies[0].displacement.col(k) - finite.col(k));
+  }
+  const double strain = largest_strain(linear, metric), rotation = largest_rotation(linear, metric);
+  const bool warned = strain > linear_strain || rotation > linear_rotation;
+  Finding found = linearity_table();
+  found.rows.push_back({count(body.modes.size()), strain, rotation, std::sqrt(of_2 / of_u), std::sqrt(of_3 / of_u),
+                        std::sqrt(of_sum / of_u), std::sqrt(of_error / of_u), std::sqrt(of_sum / of_error),
+                        warned ? "beyond linear theory" : "within linear theory"});
+  return {found};
+}
+
+}  // namespace mb

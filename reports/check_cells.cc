@@ -1,0 +1,34 @@
+#include "reports/check_cells.h"
+
+#include <cmath>
+
+#include "reports/number.h"
+
+namespace mb {
+
+std::string bound(const Check& check) {
+  if (check.at_most) return "<= " + format_setting(*check.at_most);
+  return check.at_least ? ">= " + format_setting(*check.at_least) : "no bound";
+}
+
+// Close to its bound a value has the digits that tell it from it: 1.000000 rather than 1.00 against 0.999.
+Cell measured_cell(const CheckResult& result) {
+  if (!result.measured) return text_cell("none");
+  const double bound = result.check.at_most ? *result.check.at_most : result.check.at_least.value_or(0);
+  const bool is_close = std::abs(result.value - bound) <= 0.01 * std::abs(bound);
+  return {.text = is_close ? format_number(result.value, 7) : format_with_bar(result.value, result.error_bar),
+          .value = result.value};
+}
+
+Cell bar_cell(const CheckResult& result) {
+  if (!result.measured || !(result.error_bar > 0)) return text_cell("");
+  return {.text = format_number(result.error_bar, 2), .value = result.error_bar};
+}
+
+std::string verdict(const CheckResult& result) {
+  if (!result.measured) return result.status == "no record" ? "not measured" : "failed (" + result.status + ")";
+  if (!result.decidable) return "not decidable: the bound is within the error bar";
+  return result.holds ? "holds" : "does not hold";
+}
+
+}  // namespace mb

@@ -1,0 +1,16 @@
+// What a result rests on, check by check, after Code_Aster's manual of validation: the case and where it comes from,
+// the reference and its kind, how uncertain that is, the tolerance with its reason, and what came out.
+#pragma once
+
+#include <string>
+
+#include "reports/views.h"
+
+namespace mb {
+
+Sheet verification_table(const Evaluation& evaluation);
+
+// The same as a document of its own, with how it was made: what docs/verification.md is.
+std::string verification_document(const Evaluation& evaluation);
+
+}  // namespace mb
