@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "cases/contract/physical_shift.h"
 #include "cases/scene/read_toml.h"
@@ -51,7 +52,16 @@ void tell(const Units& u, Body& body) {
   body.damping.alpha /= u.T;
   body.damping.beta *= u.T;
   for (Dashpot& dashpot : body.dashpots) dashpot.damping *= u.M / u.T, tell(u, dashpot.patch);
-  for (Support& support : body.supports) tell(u, support.patch);
+  for (Inclusion& inclusion : body.material.inclusions) inclusion.centre *= u.L, inclusion.size *= u.L;
+  for (Support& support : body.supports) {
+    tell(u, support.patch);
+    if (!support.drive) continue;
+    support.drive->acceleration = in(u, support.drive->acceleration);
+    const auto amplitude = [&](auto& h) {
+      if constexpr (requires { h.amplitude; }) h.amplitude *= u.L / (u.T * u.T);
+    };
+    std::visit(amplitude, support.drive->acceleration);
+  }
   body.pose.position *= u.L;
   body.twist.velocity *= u.L / u.T;
   body.twist.angular_velocity /= u.T;
@@ -122,7 +132,8 @@ TEST_P(UnitsVerification, MatricesAndModesFollow) {
     const Modes one = lowest_modes(s, 12, physical_shift(own->bodies[0]));
     const Modes two = lowest_modes(t, 12, physical_shift(other->bodies[0]));
     ASSERT_EQ(two.n_rigid, one.n_rigid) << file;
-    EXPECT_LT(relative(two.omega * u.T, one.omega), 1e-10) << file;
+    // Of a stiffness contrast of 10^6 the soft modes are known to eps times that, and a little.
+    EXPECT_LT(relative(two.omega * u.T, one.omega), own->bodies[0].material.inclusions.empty() ? 1e-10 : 2e-9) << file;
   }
 }
 
@@ -142,30 +153,31 @@ TEST_P(UnitsVerification, ClosedFormsAndFixedStepsFollow) {
   }
 }
 
-// Steps are chosen by estimates of the error: within the error, which rtol is of the order of.
-TEST_P(UnitsVerification, AdaptiveStepsFollowWithinTheirTolerance) {
+// Steps are chosen by estimates of the error: either answer is within the error of one, both within twice that.
+TEST_P(UnitsVerification, AdaptiveStepsFollowWithinTheirErrorBars) {
   const Units u = GetParam();
   const auto own = told("hard/dashpot.toml", si), other = told("hard/dashpot.toml", u);
-  const Settings settings{.relative_tolerance = 1e-5};
-  const Trajectory one = answer(own, "full-order", "sundials", settings);
-  Settings tight = settings;
-  tight.relative_tolerance = 1e-7;
-  const Trajectory truth = answer(own, "full-order", "sundials", tight);
-  const double bar = relative(one.bodies[0].displacement, truth.bodies[0].displacement);
-  expect_same(answer(other, "full-order", "sundials", settings), one, u, std::max(bar, 1e-10), "sundials");
+  const Trajectory one = answer(own, "full-order", "sundials", {.relative_tolerance = 1e-5});
+  const Trajectory two = answer(other, "full-order", "sundials", {.relative_tolerance = 1e-5});
+  const Trajectory truth = answer(own, "full-order", "sundials", {.relative_tolerance = 1e-7});
+  const BodyTrajectory &a = one.bodies[0], &b = two.bodies[0], &exact = truth.bodies[0];
+  EXPECT_LT(relative(b.displacement / u.L, a.displacement), 2 * relative(a.displacement, exact.displacement));
+  EXPECT_LT(relative(b.strain, a.strain), 2 * relative(a.strain, exact.strain));
 }
 
+// A stiff layer at rest shakes: what modes are off by, 1e-10 and the basis of every pair, comes back 10^4 times as
+// large in its force. A rigid body has none of that.
 TEST_P(UnitsVerification, ContactFollows) {
   const Units u = GetParam();
   const auto own = told("hard/resting.toml", si), other = told("hard/resting.toml", u);
-  Settings settings{.modes = 16, .time_step = 1e-4};
-  const Trajectory one = answer(own, "static-correction", "exact", settings);
-  settings.time_step *= u.T;
-  const Trajectory two = answer(other, "static-correction", "exact", settings);
-  const double force = u.M * u.L / (u.T * u.T);
-  EXPECT_LT(relative(two.bodies[0].contact.force / force, one.bodies[0].contact.force), 1e-8)
-      << "10^4 steps of Newton's method, each to its own tolerance";
-  EXPECT_LT(relative(two.bodies[0].displacement / u.L, one.bodies[0].displacement), 1e-8);
+  for (const auto& [method, r, of_force, of_place] :
+       {std::tuple("eigenmodes", 0, 1e-8, 1e-12), std::tuple("static-correction", 16, 1e-4, 1e-6)}) {
+    const Trajectory one = answer(own, method, "exact", {.modes = r, .time_step = 1e-4});
+    const Trajectory two = answer(other, method, "exact", {.modes = r, .time_step = 1e-4 * u.T});
+    const double force = u.M * u.L / (u.T * u.T);
+    EXPECT_LT(relative(two.bodies[0].contact.force / force, one.bodies[0].contact.force), of_force) << r;
+    EXPECT_LT(relative(two.bodies[0].displacement / u.L, one.bodies[0].displacement), of_place) << r;
+  }
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ Json dashed_mark();
 // The figures, by the names of tables and columns (harness/analysis/analyses.h); none where columns are missing.
 std::vector<Figure> step_limit_figures(const Finding& finding);
 std::vector<Figure> stability_figures(const Finding& finding);
+std::vector<Figure> contact_stability_figures(const Finding& finding);
 std::vector<Figure> aliasing_figures(const Finding& finding);
 std::vector<Figure> frequency_response_figures(const Finding& finding);
 std::vector<Figure> budget_figures(const Finding& finding);

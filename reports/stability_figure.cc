@@ -41,25 +41,40 @@ Json data_of(const Finding& finding, const std::string& integrator) {
 
 }  // namespace
 
-std::vector<Figure> stability_figures(const Finding& finding) {
-  if (!has(finding, {"integrator", "modes r", "dt", "found", "limit"})) return {};
+namespace {
+
+// Over y, by whatever column of the map.
+std::vector<Figure> maps_over(const Finding& finding, const char* y_name, const char* y_title,
+                              const std::string& title) {
+  if (!has(finding, {"integrator", y_name, "dt", "found", "limit"})) return {};
   std::vector<Figure> all;
   for (const std::string& integrator : integrators_of(finding)) {
-    const Json y = logarithmic("modes r", "elastic modes, r");
+    const Json y = logarithmic(y_name, y_title);
     const Json cells = layer({{"type", "point"}, {"size", 90}, {"filled", true}, {"tooltip", {{"content", "data"}}}},
                              {{"x", logarithmic("dt", "step [s]")},
                               {"y", y},
                               {"color", by_class("range", colours)},
                               {"shape", by_class("range", shapes)}});
     const Json line = {{"type", "line"}, {"color", "#000000"}, {"strokeDash", {6, 3}}, {"point", true}};
-    const Json limit = layer(line, {{"x", logarithmic("limit", "step [s]")}, {"y", y}, {"order", plain("modes r", "")}},
+    const Json limit = layer(line, {{"x", logarithmic("limit", "step [s]")}, {"y", y}, {"order", plain(y_name, "")}},
                              "isValid(datum.limit)");
-    all.push_back({"stability-map-" + integrator,
-                   specification(integrator + ": stable, inaccurate and unstable steps; dashes the limit by the "
-                                              "spectral radius of one step",
-                                 data_of(finding, integrator), Json::array(), Json::array({cells, limit}))});
+    all.push_back(
+        {finding.name + "-" + integrator, specification(integrator + ": " + title, data_of(finding, integrator),
+                                                        Json::array(), Json::array({cells, limit}))});
   }
   return all;
+}
+
+}  // namespace
+
+std::vector<Figure> stability_figures(const Finding& finding) {
+  return maps_over(finding, "modes r", "elastic modes, r",
+                   "stable, inaccurate and unstable steps; dashes the limit by the spectral radius of one step");
+}
+
+std::vector<Figure> contact_stability_figures(const Finding& finding) {
+  return maps_over(finding, "stiffness factor", "stiffness of the layer over the scene's",
+                   "stable, inaccurate and unstable steps in contact; dashes the limit by one linearised step");
 }
 
 }  // namespace mb

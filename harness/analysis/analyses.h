@@ -61,8 +61,8 @@
 //                             ... of peak force | ... of impulse
 //   contact-stability         integrator | stiffness factor | dt | dt / limit | spectral radius | energy |
 //                             peak force error | impulse error | found | limit | verdict
-//   contact-stability-summary integrator | cells | stable | inaccurate | unstable | not as predicted |
-//                             too short to be seen
+//   contact-stability-summary integrator | cells | stable | inaccurate | unstable |
+//                             unstable within the limit | bounded beyond the limit | too short to be seen
 //   contact-meetings          obstacle | law | stiffness | stated | E* | a | k a/E* | first touch | speed | approach |
 //                             duration | force
 //   contact-geometry          method | modes r | degree | coefficients | kept | condition | residual | worst mode |
