@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "mechanics/algebra/cholesky.h"
-#include "mechanics/geometry/gauss.h"
 #include "mechanics/material/neo_hookean.h"
 #include "reference/finite_bodies_test.h"
+#include "reference/manufactured_test.h"
 #include "reference/static_answer.h"
 
 namespace mb {
@@ -21,33 +21,10 @@ using Eigen::Matrix3d;
 const Vector3d size(0.3, 0.2, 0.4);  // [m]
 const Material rubber{2.3e4, 0.35, 1100};
 
-struct Field {
-  Vector3d u;
-  Matrix3d gradient;
-  std::array<Matrix3d, 3> second;  // of component j
-};
-Field field(const Vector3d& X) {
-  Field f{Vector3d::Zero(), Matrix3d::Zero(), {Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()}};
-  const std::array<std::pair<Vector3d, Vector3d>, 2> waves{
-      std::pair{Vector3d(0.012, -0.009, 0.02), Vector3d(1, 1, 1)},
-      std::pair{Vector3d(-0.004, 0.006, 0.005), Vector3d(1, 1, 2)}};
-  for (const auto& [a, k] : waves) {
-    const Vector3d q = pi * k.cwiseQuotient(size);
-    Vector3d s, c;
-    for (int i = 0; i < 3; ++i)
-      s[i] = std::sin(q[i] * (X[i] + size[i] / 2)), c[i] = std::cos(q[i] * (X[i] + size[i] / 2));
-    const double product = s.prod();
-    const Vector3d first(q[0] * c[0] * s[1] * s[2], q[1] * s[0] * c[1] * s[2], q[2] * s[0] * s[1] * c[2]);
-    Matrix3d second;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        second(i, j) = i == j ? -q[i] * q[i] * product : q[i] * q[j] * c[i] * c[j] * s[3 - i - j];
-    f.u += a * product;
-    f.gradient += a * first.transpose();
-    for (int j = 0; j < 3; ++j) f.second[static_cast<size_t>(j)] += a[j] * second;
-  }
-  return f;
-}
+const testing::Waves waves{{{0.012, -0.009, 0.02}, {1, 1, 1}}, {{-0.004, 0.006, 0.005}, {1, 1, 2}}};
+
+using testing::Field;
+Field field(const Vector3d& X) { return testing::field(size, waves, X); }
 
 Vector3d body_force(const Lame& c, const Field& f) {
   const Matrix9d A = neo_hookean::tangent(c, deformation(Matrix3d::Identity() + f.gradient).value());
@@ -59,30 +36,6 @@ Vector3d body_force(const Lame& c, const Field& f) {
   return B;
 }
 
-// Gauss's rule in every cell, p + 2 points a direction.
-Quadrature rule_of(const Resolution& mesh) {
-  const Rule rule = gauss_legendre(mesh.degree + 2);
-  const Index n = rule.x.size();
-  std::array<VectorXd, 3> x, w;
-  for (size_t d = 0; d < 3; ++d) {
-    const auto i = static_cast<Index>(d);
-    const double h = size[i] / mesh.cells[d];
-    x[d].resize(n * mesh.cells[d]), w[d].resize(n * mesh.cells[d]);
-    for (Index cell = 0; cell < mesh.cells[d]; ++cell)
-      for (Index q = 0; q < n; ++q)
-        x[d][n * cell + q] = -size[i] / 2 + h * (static_cast<double>(cell) + rule.x[q]),
-                        w[d][n * cell + q] = h * rule.w[q];
-  }
-  Quadrature all{Matrix3Xd(3, x[0].size() * x[1].size() * x[2].size()),
-                 VectorXd(x[0].size() * x[1].size() * x[2].size())};
-  Index at = 0;
-  for (Index i = 0; i < x[0].size(); ++i)
-    for (Index j = 0; j < x[1].size(); ++j)
-      for (Index k = 0; k < x[2].size(); ++k, ++at)
-        all.points.col(at) << x[0][i], x[1][j], x[2][k], all.weights[at] = w[0][i] * w[1][j] * w[2][k];
-  return all;
-}
-
 // L2 norm of the error [-], relative.
 double error(const Resolution& mesh) {
   Scene scene = testing::finite_body(Box{size}, rubber, mesh);
@@ -90,7 +43,7 @@ double error(const Resolution& mesh) {
     scene.bodies[0].supports.push_back(testing::support(Support::Kind::fixed, testing::face(face)));
   const auto model = testing::model_of(scene);
   const System& s = model->system();
-  const Quadrature rule = rule_of(mesh);
+  const Quadrature rule = testing::rule_of(size, mesh);
   const SparseMatrix U = model->displacement_at(rule.points);
   const Lame c = lame(rubber);
   VectorXd exact(U.rows()), wB(U.rows()), w(U.rows());
