@@ -11,6 +11,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET GLOBAL tomlplusplus)
 pkg_check_modules(muparser REQUIRED IMPORTED_TARGET GLOBAL muparser)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET GLOBAL libxxhash)
+pkg_check_modules(zlib REQUIRED IMPORTED_TARGET GLOBAL zlib)
 
 # mb_find_library(NAME HEADER LIBRARIES... [SUFFIXES ...] [PATHS ...]): target mb_NAME of a library without package
 # file. PATHS: where alone its header may be.

@@ -12,7 +12,7 @@ install(TARGETS modalbench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(layer IN LISTS layers)
   # Headers below reference/fem/ show deal.II and stay inside.
   file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer}/*.h)
-  list(FILTER headers EXCLUDE REGEX "^reference/fem/|/node_modules/|_test\\.h$")
+  list(FILTER headers EXCLUDE REGEX "^reference/fem/|/node_modules/|_(test|fuzz)\\.h$")
   foreach(header IN LISTS headers)
     cmake_path(GET header PARENT_PATH folder)
     install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/modalbench/${folder})

@@ -53,6 +53,7 @@ const std::vector<Door> doors = {
     {"HDF5", "hdf5|H5", "harness/store/hdf5.cc"},
     {"valgrind", "valgrind/", "harness/instruction_counter.cc"},
     {"xxHash", "xxh", "harness/store/hash.cc"},
+    {"zlib", "zlib|zconf", "harness/store/inflate.cc"},
     {"SLEPc", "slepc|petsc", "benchmarks/slepc.cc"},
     {"clock", "chrono$|sys/time\\.h|sys/times\\.h", "harness/measure.cc"},
 };

@@ -13,16 +13,19 @@
 #include <variant>
 #include <vector>
 
+#include "harness/store/hdf5_dataset.h"
 #include "harness/store/hdf5_structures.h"
+#include "harness/store/hdf5_walk.h"
 
 namespace mb {
 namespace {
 
 static_assert(std::endian::native == std::endian::little && sizeof(long) == sizeof(std::int64_t));
-constexpr std::size_t max_text = 4096, max_name = 64;  // [bytes]
-constexpr hsize_t chunk_elements = 64 * 1024;          // 512 KiB: half of HDF5's default chunk cache
-constexpr unsigned deflate = 1, max_stride = 64;       // strides of the second shuffle, see the header
+constexpr std::size_t max_text = 4096, max_name = 64;                // [bytes]
+constexpr hsize_t chunk_elements = hdf5_max_chunk / sizeof(double);  // half of the library's chunk cache
+constexpr unsigned deflate = 1, max_stride = 64;                     // strides of the second shuffle, see the header
 const char* const failed = "HDF5 failed";
+using Size = std::array<hsize_t, 2>;
 
 [[noreturn]] void fail(const std::string& fault) { throw std::runtime_error(fault); }
 void check(herr_t result, const std::string& fault) {
@@ -107,14 +110,13 @@ void write_text(hid_t of, const std::string& name, const std::string& text) {
 }
 
 void write_matrix(hid_t file, const std::string& name, const Hdf5Matrix& matrix, unsigned stride) {
-  const std::array<hsize_t, 2> size{static_cast<hsize_t>(matrix.values.cols()),
-                                    static_cast<hsize_t>(matrix.values.rows())};
+  const Size size{static_cast<hsize_t>(matrix.values.cols()), static_cast<hsize_t>(matrix.values.rows())};
   const Handle space(H5Screate_simple(2, size.data(), nullptr), H5Sclose, failed);
   const Handle create(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, failed);
   check(H5Pset_obj_track_times(create, false), failed);  // the same content gives the same bytes
   if (matrix.values.size() > 0) {
     const hsize_t rows = std::min(size[1], chunk_elements);
-    const std::array<hsize_t, 2> chunk{std::min(size[0], std::max<hsize_t>(1, chunk_elements / rows)), rows};
+    const Size chunk{std::min(size[0], std::max<hsize_t>(1, chunk_elements / rows)), rows};
     check(H5Pset_chunk(create, 2, chunk.data()), failed);
     check(H5Pset_shuffle(create), failed);
     // The library sets the first shuffle's stride to the size of a double and leaves those of others alone.
@@ -167,7 +169,7 @@ std::vector<Attribute> read_attributes(hid_t of) {
   return attributes;
 }
 
-// The names of the root's objects; each is a dataset reached by a hard link.
+// The names of the root's objects, each a dataset; links of other kinds than hard ones are refused before.
 std::vector<std::string> dataset_names(hid_t file) {
   H5G_info_t group{};
   check(H5Gget_info(file, &group), "the root group is damaged");
@@ -179,9 +181,6 @@ std::vector<std::string> dataset_names(hid_t file) {
         H5Lget_name_by_idx(file, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(), H5P_DEFAULT);
     if (size <= 0 || size > static_cast<ssize_t>(max_name)) fail("an object has a name of a wrong length");
     const std::string what = "object " + quoted(name.data());
-    H5L_info_t link{};
-    check(H5Lget_info(file, name.data(), &link, H5P_DEFAULT), what + " is damaged");
-    if (link.type != H5L_TYPE_HARD) fail(what + " is a soft, external or user-defined link");
     H5O_info_t object{};
     check(H5Oget_info_by_name2(file, name.data(), &object, H5O_INFO_BASIC, H5P_DEFAULT), what + " is damaged");
     if (object.type != H5O_TYPE_DATASET) fail(what + " is not a dataset");
@@ -190,38 +189,16 @@ std::vector<std::string> dataset_names(hid_t file) {
   return names;
 }
 
-// Second line behind refused_structure. Asked first: a virtual dataset opens other files when asked for its size.
-void expect_plain_storage(hid_t dataset, const std::string& what) {
-  const Handle create(H5Dget_create_plist(dataset), H5Pclose, what + " is damaged");
-  const H5D_layout_t layout = H5Pget_layout(create);
-  if (layout != H5D_CHUNKED && layout != H5D_CONTIGUOUS && layout != H5D_COMPACT) fail(what + " is a virtual dataset");
-  if (H5Pget_external_count(create) != 0) fail(what + " has external storage");
-  const int n_filters = H5Pget_nfilters(create);
-  for (int i = 0; i < n_filters; ++i) {
-    std::size_t n_values = 0;
-    unsigned flags = 0, config = 0;
-    const H5Z_filter_t filter =
-        H5Pget_filter2(create, static_cast<unsigned>(i), &flags, &n_values, nullptr, 0, nullptr, &config);
-    if (filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_DEFLATE) {
-      fail(what + " uses a filter other than shuffle and deflate");
-    }
-  }
-  std::array<hsize_t, 2> chunk{0, 0};
-  if (layout == H5D_CHUNKED && (H5Pget_chunk(create, 2, chunk.data()) != 2 ||
-                                chunk[0] > static_cast<hsize_t>(hdf5_max_elements) / std::max<hsize_t>(1, chunk[1]))) {
-    fail(what + " has chunks of more than 512 MiB");
-  }
-}
+using Size = std::array<hsize_t, 2>;
 
 // At most `room` elements.
 Hdf5Matrix read_matrix(hid_t file, const std::string& name, Index room) {
   const std::string what = "dataset " + quoted(name);
   const Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, what + " is damaged");
-  expect_plain_storage(dataset, what);
   const Handle type(H5Dget_type(dataset), H5Tclose, what + " is damaged");
   if (H5Tequal(type, H5T_IEEE_F64LE) <= 0) fail(what + " does not hold little-endian doubles");
   const Handle space(H5Dget_space(dataset), H5Sclose, what + " is damaged");
-  std::array<hsize_t, 2> size{};
+  Size size{};
   if (H5Sget_simple_extent_ndims(space) != 2 || H5Sget_simple_extent_dims(space, size.data(), nullptr) != 2) {
     fail(what + " is not a matrix");
   }
@@ -278,6 +255,7 @@ Hdf5Content from_hdf5(std::string_view bytes) {
   if (const std::string structure = refused_structure(bytes); !structure.empty()) fail("holds " + structure);
   const Handle access = access_in_memory();
   std::string image = whole_file(bytes);
+  require_plain_structures(image);
   check(H5Pset_file_image(access, image.data(), image.size()), "not an HDF5 file");
   const Handle file(H5Fopen(file_name(&image).c_str(), H5F_ACC_RDONLY, access), H5Fclose, "not a whole HDF5 file");
   Hdf5Content content;

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "harness/store/file.h"
+#include "harness/store/hdf5_checksums_fuzz.h"
 
 namespace mb {
 namespace {
@@ -131,16 +132,19 @@ TEST(Hdf5, HostileFilesAreRefusedForTheirOwnReason) {
                                                       {"external-link", "object 't' is a soft, external"},
                                                       {"external-storage", "holds a local heap"},
                                                       {"virtual", "holds a global heap"},
-                                                      {"other-filter", "dataset 't' uses a filter other than"},
+                                                      {"other-filter", "uses a filter other than"},
                                                       {"group", "object 't' is not a dataset"},
-                                                      {"huge", "dataset 't' is too large"},
-                                                      {"overflow", "dataset 't' is too large"},
-                                                      {"huge-chunk", "dataset 't' has chunks of more than"},
+                                                      {"huge", "more than 8192 chunks"},
+                                                      {"overflow", "more than 8192 chunks"},
+                                                      {"huge-chunk", "chunks of more than 512 KiB"},
                                                       {"wrong-type", "dataset 't' does not hold little-endian doubles"},
                                                       {"three-dimensions", "dataset 't' is not a matrix"},
                                                       {"no-unit", "dataset 't' has no unit"},
                                                       {"variable-text", "holds a global heap"},
                                                       {"array-attribute", "attribute 'schema' is not a single value"},
+                                                      {"dense-attributes", "damaged: a heap or B-tree"},
+                                                      {"tiny-chunks", "damaged: a dataspace beyond its largest"},
+                                                      {"attribute-name", "damaged: a name of another length"},
                                                       {"long-name", "name of a wrong length"}};
   for (const auto& [name, reason] : reasons) {
     EXPECT_THAT([&] { from_hdf5(fixture(name)); }, ThrowsMessage<std::runtime_error>(HasSubstr(reason))) << name;
@@ -175,6 +179,38 @@ TEST(Hdf5, AlteredHostileFilesDoNotCrash) {
       }
     }
     EXPECT_GT(n_refused, 0) << name;
+  }
+}
+
+TEST(Hdf5, AChunkThatUnpacksToAnotherSizeIsRefused) {
+  std::string bytes = to_hdf5({{}, {}, {{"a", {MatrixXd::Constant(4, 4, 0.1), "m"}}}});
+  EXPECT_NO_THROW(from_hdf5(bytes));
+  const std::string nothing("\x78\x9c\x03\0\0\0\0\x01", 8);  // zlib's stream of no bytes
+  const std::size_t chunk = bytes.find("\x78\x01");          // that of the chunk begins so
+  ASSERT_NE(chunk, std::string::npos);
+  EXPECT_THAT([&] { from_hdf5(bytes.replace(chunk, nothing.size(), nothing)); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("a chunk of another size")));
+}
+
+// As a forger alters them: HDF5's own checksums are right again.
+TEST(Hdf5, AlteredFilesWithRightChecksumsDoNotCrash) {
+  for (const std::string& sound : {fixture("plain"), to_hdf5(example())}) {
+    int n_refused = 0, n_read = 0;
+    for (std::size_t i = 0; i < sound.size(); i += sound[i] == 0 ? 3 : 1) {
+      for (const int mask : {0x01, 0x02, 0x10, 0x80, 0xff}) {
+        std::string bytes = sound;
+        bytes[i] = static_cast<char>(bytes[i] ^ mask);
+        Hdf5Checksums(bytes).set_right();
+        try {
+          from_hdf5(bytes);
+          ++n_read;
+        } catch (const std::runtime_error&) {
+          ++n_refused;
+        }
+      }
+    }
+    EXPECT_GT(n_refused, 0);
+    EXPECT_GT(n_read, 0);  // a value, a letter of a name
   }
 }
 

@@ -11,11 +11,9 @@
 
 #include "cases/contract/method.h"
 #include "harness/store/file.h"
+#include "harness/store/trajectory_content.h"
 
 namespace mb {
-
-inline constexpr int trajectory_schema = 1;
-inline constexpr double trajectory_tolerance = 1e-12;  // [-] of the largest singular value of a body's displacement
 
 // Values that are not finite are kept as they are. Throws StoreError where the file cannot be written, and
 // std::invalid_argument where sizes do not agree: columns of displacement and strain are times (strain may have none).

@@ -1,0 +1,30 @@
+// The data of a dataset, held against what its header says of it: version 1.10 of the library copies by the header's
+// sizes, whatever a chunk unpacks to.
+//
+// HDF5 File Format Specification Version 3.0, sections IV.A.2.i (layout) and VII.C (fixed array).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace mb {
+
+inline constexpr std::uint64_t hdf5_max_chunk = 512 << 10;  // [byte] of the largest chunk, those of ours
+inline constexpr std::uint64_t hdf5_max_chunks = 8192;      // ours have 2048; the library takes 400 bytes for each
+
+// What the messages of an object's header say.
+struct Hdf5Dataset {
+  std::vector<std::uint64_t> size;  // along each dimension, the largest that it may have
+  std::uint64_t element = 0;        // [byte] of one value
+  bool filtered = false, deflated = false;
+  std::string_view layout;  // the message; empty where the object is no dataset
+};
+
+// The bytes [address, address + size) of a file. Throws std::runtime_error where it ends before.
+std::string_view hdf5_at(std::string_view file, std::uint64_t address, std::uint64_t size);
+
+// Throws std::runtime_error where it is not: every address within the file, every chunk of the size stated.
+void check_data(std::string_view file, const Hdf5Dataset& dataset);
+
+}  // namespace mb
