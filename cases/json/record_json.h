@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/contract/record.h"
@@ -38,5 +39,7 @@ struct RecordLines {
 };
 // Blank lines are skipped. Lines longer than 64 KiB and files larger than 1 GiB are refused, never loaded.
 RecordLines read_records(const std::filesystem::path& file);
+// The same of text at hand; file: the name that refusals show.
+RecordLines read_records(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace mb

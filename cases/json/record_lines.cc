@@ -1,4 +1,5 @@
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "cases/json/record_json.h"
@@ -26,23 +27,11 @@ Line next_line(std::streambuf& from, std::string& line) {
   return too_long ? Line::too_long : any ? Line::whole : Line::none;
 }
 
-}  // namespace
-
-RecordLines read_records(const std::filesystem::path& file) {
+RecordLines records_from(std::streambuf& from, const std::filesystem::path& file) {
   RecordLines result;
-  const auto refuse_file = [&](const std::string& reason) {
-    result.refused.push_back({file, 0, reason});
-    return result;
-  };
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return refuse_file("is not a readable file");
-  if (std::filesystem::file_size(file, error) > max_file || error) return refuse_file("is larger than 1 GiB");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return refuse_file("cannot be opened for reading");
-
   std::string line;
   int number = 0;
-  for (Line read = next_line(*stream.rdbuf(), line); read != Line::none; read = next_line(*stream.rdbuf(), line)) {
+  for (Line read = next_line(from, line); read != Line::none; read = next_line(from, line)) {
     ++number;
     try {
       if (read == Line::too_long) throw std::runtime_error("line is longer than 64 KiB");
@@ -53,6 +42,23 @@ RecordLines read_records(const std::filesystem::path& file) {
     }
   }
   return result;
+}
+
+}  // namespace
+
+RecordLines read_records(const std::filesystem::path& file) {
+  const auto refused = [&](const std::string& reason) { return RecordLines{{}, {{file, 0, reason}}}; };
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return refused("is not a readable file");
+  if (std::filesystem::file_size(file, error) > max_file || error) return refused("is larger than 1 GiB");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return refused("cannot be opened for reading");
+  return records_from(*stream.rdbuf(), file);
+}
+
+RecordLines read_records(std::string_view text, const std::filesystem::path& file) {
+  std::istringstream stream{std::string(text)};
+  return records_from(*stream.rdbuf(), file);
 }
 
 }  // namespace mb

@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <random>
+#include <thread>
 
 #include "harness/store/scratch_folder_test.h"
 
@@ -58,6 +62,25 @@ TEST(File, AFullDiskIsToldAndTheOldFileStands) {
   }
   EXPECT_EQ(read_file(folder / "file", 100), "old");
   EXPECT_EQ(n_files(folder.path()), 1);
+}
+
+// At moments drawn with a fixed seed: the file is whole, one or the other.
+TEST(File, AWriterThatIsKilledLeavesAWholeFile) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "file";
+  const std::string contents[] = {std::string(2000000, 'a'), std::string(3000000, 'b')};
+  write_file(file, contents[0]);
+  std::mt19937 random(7);
+  for (int i = 0; i < 15; ++i) {
+    const pid_t writer = ::fork();
+    ASSERT_GE(writer, 0);
+    for (int k = 0; writer == 0; ++k) write_file(file, contents[k % 2]);
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 20000));
+    ::kill(writer, SIGKILL);
+    ::waitpid(writer, nullptr, 0);
+    const std::string found = read_file(file, 1 << 22);
+    EXPECT_TRUE(found == contents[0] || found == contents[1]) << i;
+  }
 }
 
 TEST(File, AFolderThatCannotBeWrittenIsTold) {

@@ -6,6 +6,7 @@
 #include "cases/json/finding_json.h"
 #include "harness/store/file.h"
 #include "harness/store/hash.h"
+#include "harness/store/seal.h"
 
 namespace mb {
 
@@ -17,7 +18,9 @@ std::string lines_of(const std::vector<Record>& records) {
   return lines;
 }
 
-constexpr std::uintmax_t largest_findings = 1 << 28;  // [bytes]
+constexpr std::uintmax_t largest = 1 << 28;  // [bytes] of the records or findings of one run
+
+std::string read_sealed(const std::filesystem::path& path) { return unsealed(read_file(path, largest)); }
 
 // The files of runs in the folder, sorted; temporary files of a run that was interrupted have other endings.
 std::vector<std::filesystem::path> files_of_runs(const std::filesystem::path& folder, const char* ending) {
@@ -36,7 +39,12 @@ std::vector<std::filesystem::path> files_of_runs(const std::filesystem::path& fo
 
 // Marks or times of one run. There may be no times; a run without marks is one whose writing went wrong.
 RecordLines records_of(const std::filesystem::path& path) {
-  RecordLines lines = read_records(path);
+  RecordLines lines;
+  try {
+    lines = read_records(read_sealed(path), path);
+  } catch (const std::runtime_error& fault) {
+    return {{}, {{path, 0, fault.what()}}};
+  }
   const bool is_empty = lines.records.empty() && lines.refused.empty();
   if (is_empty && path.parent_path().filename() == "records") lines.refused.push_back({path, 0, "holds no record"});
   const auto n_strangers = std::erase_if(lines.records, [&](const Record& r) { return r.run != path.stem(); });
@@ -45,7 +53,7 @@ RecordLines records_of(const std::filesystem::path& path) {
 }
 
 std::vector<Finding> findings_of(const std::filesystem::path& path) {
-  const Json list = parse_json(read_file(path, largest_findings));
+  const Json list = parse_json(read_sealed(path));
   if (!list.is_array()) throw std::runtime_error("holds no list of findings");
   std::vector<Finding> findings;
   for (const Json& entry : list) {
@@ -102,7 +110,7 @@ void Store::write_records(const std::string& hash, const std::vector<Record>& re
   if (!std::ranges::all_of(records, [&](const Record& record) { return record.run == hash; })) {
     throw std::invalid_argument("store: a record of another run");
   }
-  write_file(file("records", hash, ".jsonl"), lines_of(records));
+  write_file(file("records", hash, ".jsonl"), sealed(lines_of(records)));
   std::error_code none;
   std::filesystem::remove(file("timings", hash, ".jsonl"), none);  // other marks: the old times are not theirs
 }
@@ -115,7 +123,7 @@ void Store::write_times(const std::string& hash, const std::vector<Record>& time
   if (!std::ranges::all_of(times, [&](const Record& record) { return record.run == hash; })) {
     throw std::invalid_argument("store: a time of another run");
   }
-  write_file(file("timings", hash, ".jsonl"), lines_of(times));
+  write_file(file("timings", hash, ".jsonl"), sealed(lines_of(times)));
 }
 RecordLines Store::read_records_of(const std::string& hash) const {
   return records_of(file("records", hash, ".jsonl"));
@@ -132,7 +140,7 @@ void Store::write_findings(const std::string& hash, const std::vector<Finding>& 
     if (finding.run != hash) throw std::invalid_argument("store: a finding of another analysis");
     list.push_back(to_json(finding));
   }
-  write_file(file("findings", hash, ".json"), to_line(list) + "\n");
+  write_file(file("findings", hash, ".json"), sealed(to_line(list) + "\n"));
 }
 
 Store::Findings Store::read_findings_of(const std::string& hash) const {

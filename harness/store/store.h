@@ -4,6 +4,9 @@
 //   STORE/truth/<hash>.h5          answers of the truth         STORE/timings/<hash>.jsonl   the times of one run
 //   STORE/findings/<hash>.json     tables of one analysis       STORE/results.jsonl          all marks, rebuilt
 //
+// Records, times and findings end in a line with the checksum of what stands before it (seal.h), .h5 files hold one;
+// results.jsonl is for others to read, this program never does.
+//
 // Every file appears whole or not at all, one file a run: any number of processes may share a store. A damaged file is
 // named and never used: compute it again and write it over (harness/study/stored.h says what of a job is there).
 #pragma once

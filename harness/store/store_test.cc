@@ -7,6 +7,7 @@
 
 #include "harness/store/hash.h"
 #include "harness/store/scratch_folder_test.h"
+#include "harness/store/seal.h"
 
 namespace mb {
 namespace {
@@ -72,8 +73,9 @@ TEST(Store, DamagedRecordsAreNamedAndLeftOut) {
   const ScratchFolder folder;
   const Store store(folder.path());
   store.write_records(low, {record(low, 1)});
-  const std::string good = read_file(folder / "records" / (low + ".jsonl"), 1 << 20);
-  write_file(folder / "records" / (high + ".jsonl"), good + good.substr(0, 50));  // under another run's name; cut short
+  const std::string good = unsealed(read_file(folder / "records" / (low + ".jsonl"), 1 << 20));
+  write_file(folder / "records" / (high + ".jsonl"),
+             sealed(good + good.substr(0, 50) + "\n"));  // another run's; no JSON
   write_file(folder / "records" / (high + ".jsonl.Xy12Z3"), "left behind by an interrupted run");
   write_file(folder / "records" / "notes.jsonl", "not ours");
   const RecordLines lines = store.read_all_records();
@@ -113,7 +115,7 @@ TEST(Store, MarksThatCannotBeWrittenLeaveTheTimesAlone) {
 TEST(Store, ARunWithoutRecordsIsNamed) {
   const ScratchFolder folder;
   const Store store(folder.path());
-  write_file(folder / "records" / (low + ".jsonl"), "");
+  write_file(folder / "records" / (low + ".jsonl"), sealed(""));
   store.write_times(high, {});  // of a run that gave no answer
   for (const RecordLines& lines : {store.read_all_records(), store.read_records_of(low)}) {
     ASSERT_EQ(lines.refused.size(), 1u);
