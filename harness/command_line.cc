@@ -102,6 +102,9 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
   command->add_option("--jobs", options->jobs, "processes; times are taken afterwards, alone")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  command->add_option("--threads", options->threads, "of the BLAS, in timed parts, too; records name them")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
   command->add_option("--shard", options->shard, "i/n: only that part of the jobs; merging is copying the store")
       ->capture_default_str();
   command->add_flag("--plan", options->plan, "list the jobs and whether they are stored");

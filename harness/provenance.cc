@@ -26,7 +26,7 @@ std::map<std::string, std::string> provenance(const std::string& profile) {
           {"profile", profile},
           {"processor", processor()},
           {"cores", std::to_string(std::thread::hardware_concurrency())},
-          {"threads", "1"},
+          {"threads", std::to_string(blas_threads())},
           {"blas", blas_description()},
           {"libraries", sources::libraries}};
 }

@@ -37,6 +37,7 @@ struct RunCommandOptions {
   std::vector<std::string> overrides;  // --set KEY=VALUE,...: harness/study/overrides.h
   std::string shard = "1/1";           // which part of the jobs: harness/study/plan.h
   int jobs = 1;                        // processes; times are taken afterwards, alone
+  int threads = 1;                     // of the BLAS; records name them
   bool again = false, plan = false, json = false, untimed = false, quiet = false;
   std::function<bool()> interrupted;
 };

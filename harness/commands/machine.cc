@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "harness/measure.h"
+#include "harness/study/memory.h"
 #include "mechanics/algebra/threads.h"
 #include "mechanics/types.h"
 #include "reports/content.h"
@@ -51,23 +52,6 @@ std::optional<double> first_number(const fs::path& file) {
   double value = 0;
   if (!word || std::from_chars(word->data(), word->data() + word->size(), value).ec != std::errc()) return {};
   return value;
-}
-
-// MemAvailable of /proc/meminfo, which counts in KiB, or what is left of the control group's limit where that is less.
-std::optional<double> available_memory(const fs::path& root) {
-  std::optional<double> available;
-  std::ifstream meminfo(root / "proc/meminfo");
-  for (std::string line; std::getline(meminfo, line);) {
-    std::istringstream words(line);
-    std::string key;
-    double kibibytes = 0;
-    if (words >> key >> kibibytes && key == "MemAvailable:") available = 1024 * kibibytes;
-  }
-  const auto limit = first_number(root / "sys/fs/cgroup/memory.max");
-  const auto used = first_number(root / "sys/fs/cgroup/memory.current");
-  if (!limit || !used) return available;
-  const double left = std::max(0.0, *limit - *used);
-  return available ? std::min(*available, left) : left;
 }
 
 // The folder itself or the nearest one above it that is there.

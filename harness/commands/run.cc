@@ -15,6 +15,7 @@
 #include "harness/study/processes.h"
 #include "harness/study/run_case.h"
 #include "harness/study/stored.h"
+#include "mechanics/algebra/threads.h"
 #include "reports/content.h"
 #include "reports/linear_warnings.h"
 
@@ -183,6 +184,7 @@ std::string command_again(const RunCommandOptions& options) {
   for (const auto& assignment : options.overrides) add({"--set", assignment});
   if (options.shard != "1/1") add({"--shard", options.shard});
   if (options.jobs != 1) add({"--jobs", std::to_string(options.jobs)});
+  if (options.threads != 1) add({"--threads", std::to_string(options.threads)});
   if (options.untimed) add({"--untimed"});
   if (options.again) add({"--again"});
   if (options.quiet) add({"--quiet"});
@@ -204,6 +206,7 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
     options.json ? print_plan_json(planned, catalogue, console.out) : print_plan_table(planned, console.out);
     return 0;
   }
+  set_blas_threads(options.threads);
   if (options.jobs > 1) {
     run_in_parallel(scenes, catalogue, store, how, options.jobs, console);
     how.again = false;

@@ -1,7 +1,9 @@
 #include "harness/study/estimate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <string>
 
@@ -48,6 +50,18 @@ double front(const Body& body, const Resolution& resolution) {
   return n / (std::holds_alternative<Cylinder>(shape) ? std::max(across, nodes(1)) : across);
 }
 
+// Of all bodies alike: the widest front.
+Mesh mesh_of(const Scene& scene, const Resolution& resolution) {
+  Mesh all{0, 0, resolution.degree};
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    const Resolution own = of_body(resolution, i);
+    all.n += n_dofs(body.shape, own, body.theory);
+    all.front = std::max(all.front, front(body, own));
+  }
+  return all;
+}
+
 class CaseEstimate {
  public:
   CaseEstimate(const Scene& scene, const Catalogue& catalogue)
@@ -70,17 +84,7 @@ class CaseEstimate {
   }
 
  private:
-  // Of all bodies alike: the widest front.
-  Mesh mesh(const Resolution& resolution) const {
-    Mesh all{0, 0, resolution.degree};
-    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
-      const Body& body = scene_.bodies[i];
-      const Resolution own = of_body(resolution, i);
-      all.n += n_dofs(body.shape, own, body.theory);
-      all.front = std::max(all.front, front(body, own));
-    }
-    return all;
-  }
+  Mesh mesh(const Resolution& resolution) const { return mesh_of(scene_, resolution); }
 
   bool is_sudden() const {
     const auto driven = [](const Support& s) { return s.drive && std::holds_alternative<Step>(s.drive->acceleration); };
@@ -151,5 +155,30 @@ class CaseEstimate {
 }  // namespace
 
 Estimate estimate(const Scene& scene, const Catalogue& catalogue) { return CaseEstimate(scene, catalogue).run(); }
+
+namespace {
+
+constexpr double program = 256 << 20;  // [byte]
+
+double of_mesh(const Scene& scene, const Resolution& resolution) {
+  const Mesh mesh = mesh_of(scene, resolution);
+  return mesh.n * (300 * std::pow(mesh.degree + 2, 3) + 25 * mesh.front);
+}
+
+double of_answer(const Scene& scene) {
+  constexpr double values = 8 * (3 * 500 + 6 * 300);  // [byte] of a body at one time
+  return values * static_cast<double>(scene.bodies.size()) * static_cast<double>(sample_times(scene).size());
+}
+
+}  // namespace
+
+double memory(const Scene& scene) {
+  std::array<double, 3> meshes{of_mesh(scene, scene.truth.finer), of_mesh(scene, scene.truth.coarser),
+                               of_mesh(scene, own_meshes(scene))};
+  std::ranges::sort(meshes, std::greater());
+  return meshes[0] + meshes[1] + 5 * of_answer(scene) + program;
+}
+
+double memory(const Scene& scene, const Resolution& mesh) { return of_mesh(scene, mesh) + of_answer(scene) + program; }
 
 }  // namespace mb

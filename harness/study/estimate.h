@@ -25,4 +25,14 @@ struct Estimate {
 };
 Estimate estimate(const Scene& scene, const Catalogue& catalogue);
 
+// [byte] of memory at the peak, likewise before anything is allocated:
+//
+//   a mesh      n (300 (p + 2)^3 + 25 f) B    matrices and what they are made of; factors
+//   two truths  the dearest mesh and the next, computed at a time
+//   answers     5 truths, 8 B (3 points + 6 strained points) samples of each body; and 256 MiB
+//
+// Within a third of what cylinders of 7,500 to 67,000 degrees of freedom took, p = 2 to 4.
+double memory(const Scene& scene);
+double memory(const Scene& scene, const Resolution& mesh);  // of one mesh and one answer
+
 }  // namespace mb

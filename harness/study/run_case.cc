@@ -10,8 +10,10 @@
 #include "harness/provenance.h"
 #include "harness/study/bench.h"
 #include "harness/study/current_records.h"
+#include "harness/study/estimate.h"
 #include "harness/study/front.h"
 #include "harness/study/identity.h"
+#include "harness/study/memory.h"
 #include "harness/study/stored.h"
 
 namespace mb {
@@ -144,6 +146,7 @@ class CaseRun {
   void compete(const Grader& grader, const Job& job, const std::string& count) {
     Record record = base(job.contender);
     try {
+      require_memory(memory(*scene_, job.contender.resolution), available_memory());
       const ReadyContender ready = bench_.prepare(job.contender);
       record.modes_used = ready.prepared->modes_used();
       record.n_unknowns = ready.prepared->n_unknowns();

@@ -21,10 +21,19 @@ void set_blas_threads(int n) {
   if (auto* set = find<void(int)>("openblas_set_num_threads")) set(n);
 }
 
-void use_one_thread() {
-  set_blas_threads(1);
+int blas_threads() {
+  auto* threads = find<int()>("openblas_get_num_threads");
+  return threads == nullptr ? 1 : threads();
+}
+
+void forbid_openmp() {
   // No parallel region is active at level 0 (OpenMP 5.0).
   if (auto* set = find<void(int)>("omp_set_max_active_levels")) set(0);
+}
+
+void use_one_thread() {
+  set_blas_threads(1);
+  forbid_openmp();
 }
 
 std::string blas_description() {
