@@ -1,0 +1,76 @@
+#include "harness/process_test.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace mb {
+
+namespace {
+
+std::string content(const std::filesystem::path& file) {
+  std::ostringstream all;
+  all << std::ifstream(file).rdbuf();
+  return all.str();
+}
+
+void become(int descriptor, const char* file) {
+  const int opened = ::open(file, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  ::dup2(opened, descriptor);
+}
+
+}  // namespace
+
+Process::Process(const std::filesystem::path& folder, const std::vector<std::string>& words,
+                 const std::function<void()>& prepare) {
+  static int n_started = 0;
+  const std::string name = ".process-" + std::to_string(++n_started);
+  out_ = folder / (name + ".out");
+  err_ = folder / (name + ".err");
+  std::vector<char*> argv{const_cast<char*>(MB_PROGRAM)};
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  process_ = ::fork();
+  if (process_ < 0) throw std::runtime_error("no process");
+  if (process_ > 0) return;
+  become(STDOUT_FILENO, out_.c_str());
+  become(STDERR_FILENO, err_.c_str());
+  if (::chdir(folder.c_str()) != 0) ::_exit(126);
+  if (prepare) prepare();
+  ::execv(MB_PROGRAM, argv.data());
+  ::_exit(127);
+}
+
+Process::~Process() {
+  if (ended_) return;
+  ::kill(process_, SIGKILL);
+  ::waitpid(process_, &status_, 0);
+}
+
+void Process::send(int signal) const {
+  if (!ended_) ::kill(process_, signal);
+}
+void Process::send_to_group(int signal) const { ::kill(-process_, signal); }
+
+bool Process::ends_within(double seconds) {
+  for (double waited = 0; !ended_ && waited <= seconds; waited += 0.002) {
+    ended_ = ::waitpid(process_, &status_, WNOHANG) == process_;
+    if (!ended_) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return ended_;
+}
+
+int Process::code() {
+  if (!ended_) ended_ = ::waitpid(process_, &status_, 0) == process_;
+  return WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_);
+}
+
+std::string Process::out() const { return content(out_); }
+std::string Process::err() const { return content(err_); }
+
+}  // namespace mb

@@ -1,0 +1,37 @@
+// The program as a process of its own, which a test may kill, starve or start twice.
+#pragma once
+
+#include <sys/types.h>
+
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mb {
+
+class Process {
+ public:
+  // Starts the program with these words in `folder`; its output goes to files below `folder`. prepare is called in the
+  // new process before the program begins: limits, another user.
+  Process(const std::filesystem::path& folder, const std::vector<std::string>& words,
+          const std::function<void()>& prepare = {});
+  ~Process();  // kills it where it still runs
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  void send(int signal) const;
+  void send_to_group(int signal) const;  // of which it must be the leader
+  bool ends_within(double seconds);      // whether it has ended by then
+  int code();                            // waits; the exit code, or minus the signal that ended it
+  std::string out() const, err() const;
+
+ private:
+  std::filesystem::path out_, err_;
+  pid_t process_;
+  int status_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace mb
