@@ -1,7 +1,9 @@
 # mb_library(NAME LINK... [PRIVATE_LINK ...] [HEADERS to precompile])  library mb_NAME of every source of the current folder that is no test.
 # mb_tests(NAME [LINK ...])                     one GoogleTest binary of every *_test.cc of the current folder.
+# mb_fuzz(NAME SOURCE... LINK ...)              one libFuzzer binary; the first source, X_fuzz.cc, names its seeds, X_fuzz/
 
 set(MODALBENCH_SANITIZE "" CACHE STRING "Sanitizers to compile with: address, undefined (comma-separated)")
+option(MODALBENCH_FUZZ "Instrument for libFuzzer and define its targets (clang++; see the preset `fuzz`)" OFF)
 option(MODALBENCH_NATIVE "Compile for this machine's processor (-march=native)" OFF)
 
 add_library(mb_options INTERFACE)
@@ -21,6 +23,10 @@ target_compile_options(mb_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-use-after-free>)
 if(NOT MODALBENCH_SANITIZE)
   target_compile_options(mb_warnings INTERFACE -Werror)
+endif()
+if(MODALBENCH_FUZZ)   # all that readers run through: libFuzzer follows its branches and comparisons
+  add_compile_options(-fsanitize=fuzzer-no-link)
+  add_custom_target(fuzz_targets)
 endif()
 if(MODALBENCH_SANITIZE)
   # What the address sanitizer, Eigen's assertions and the processor report as well would take a third of the time to
@@ -103,4 +109,17 @@ function(mb_tests name)
     set_tests_properties(${name}.unit.${shard} PROPERTIES LABELS unit TIMEOUT 1800
       ENVIRONMENT "GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${shard}")
   endforeach()
+endfunction()
+
+function(mb_fuzz name source)
+  if(NOT MODALBENCH_FUZZ)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  add_executable(${name}_fuzz ${source} ${ARG_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name}_fuzz PRIVATE mb_warnings ${ARG_LINK})
+  target_compile_definitions(${name}_fuzz PRIVATE MB_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_options(${name}_fuzz PRIVATE -fsanitize=fuzzer)
+  set_target_properties(${name}_fuzz PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/fuzz)
+  add_dependencies(fuzz_targets ${name}_fuzz)
 endfunction()
