@@ -1,0 +1,96 @@
+#include "reports/hard_cases.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/scene/one_body.h"
+#include "reports/verification.h"
+
+namespace mb {
+namespace {
+
+Check at_most(double bound) {
+  Check check;
+  check.method = "eigenmodes";
+  check.metric = "displacement-error";
+  check.truth = "same_mesh";
+  check.modes = 8;
+  check.at_most = bound;
+  check.why = "Eight modes hold all that moves, but for a | pipe.";
+  return check;
+}
+
+Scene scene(const std::string& name, const std::string& hard) {
+  Scene one = one_body(Box{{1, 1, 1}}, {1e6, 0.3, 1000}, {2, {1, 1, 1}});
+  one.name = name;
+  one.profile = "quick";
+  one.hard = hard;
+  one.source = "Ours.";
+  one.truth = {1e-5, {3, {1, 1, 1}}, {2, {1, 1, 1}}, ""};
+  return one;
+}
+
+Record record(const std::string& name, double value, double bar, const std::string& status = "ok") {
+  Record one;
+  one.run = name + status;
+  one.case_name = name;
+  one.profile = "quick";
+  one.contender = {
+      "eigenmodes", "exact", {2, {1, 1, 1}}, {.modes = status == "ok" ? 8 : 16}};  // others answer no check
+  one.modes_used = one.contender.settings.modes;
+  one.metric = "displacement-error";
+  one.truth = "same_mesh";
+  one.value = value;
+  one.unit = "-";
+  one.error_bar = bar;
+  one.status = status;
+  return one;
+}
+
+ReportInput input(double measured, double bar) {
+  ReportInput all;
+  all.scenes = {scene("soft", ""), scene("hard", "It is hard. What must hold: everything.")};
+  for (Scene& one : all.scenes) one.checks = {at_most(0.01)};
+  all.records = {record("soft", 0.5, 0), record("hard", measured, bar), record("hard", 0, 0, "unstable"),
+                 record("hard", 0, 0, "no_convergence")};
+  return all;
+}
+
+std::string verdict(double measured, double bar) {
+  const Sheet table = hard_cases_table(evaluate(input(measured, bar)));
+  EXPECT_EQ(table.rows.size(), 1u);
+  return table.rows.at(0).back().text;
+}
+
+TEST(HardCases, AreThoseThatSayWhatIsHardWithTheVerdictOfTheirChecks) {
+  EXPECT_EQ(verdict(0.001, 1e-4), "holds");
+  EXPECT_EQ(verdict(0.1, 1e-4), "fails");
+  EXPECT_EQ(verdict(0.0099, 1e-3), "open");
+  const Sheet table = hard_cases_table(evaluate(input(0.001, 1e-4)));
+  EXPECT_EQ(table.rows[0][0].text, "hard");
+  EXPECT_EQ(table.rows[0][3].text, "1 of 1");
+  EXPECT_EQ(table.rows[0][4].text, "1") << "unstable";
+  EXPECT_EQ(table.rows[0][5].text, "1") << "failed";
+}
+
+TEST(Verification, NamesReferenceUncertaintyToleranceReasonAndResult) {
+  const Sheet table = verification_table(evaluate(input(0.001, 1e-4)));
+  ASSERT_EQ(table.rows.size(), 2u);
+  const auto& row = table.rows[1];
+  EXPECT_EQ(row[2].text, "eigenmodes r = 8: displacement-error");
+  EXPECT_NE(row[3].text.find("rtol 1e-05/100"), std::string::npos) << row[3].text;
+  EXPECT_EQ(row[4].text, "second route");
+  EXPECT_EQ(row[5].text, "1.0e-4");
+  EXPECT_EQ(row[6].text, "<= 0.01");
+  EXPECT_EQ(row[9].text, "holds");
+  EXPECT_EQ(table.rows[0][9].text, "does not hold");
+}
+
+TEST(Verification, DocumentIsMarkdownWhateverTheTexts) {
+  const std::string text = verification_document(evaluate(input(0.001, 1e-4)));
+  EXPECT_EQ(text.find("# Verification\n"), 0u);
+  EXPECT_NE(text.find("- **hard**: Ours."), std::string::npos);
+  EXPECT_NE(text.find("but for a \\| pipe"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mb
