@@ -28,7 +28,10 @@ double largest_rotation(const Trajectory& trajectory, const MetricContext& conte
   constexpr int degree = 3;
   const MatrixXd u = motion(trajectory, context).volume;
   const Monomials monomials = monomials_about(context.points.volume.points, degree);
-  const auto fit = monomials.values(context.points.volume.points).completeOrthogonalDecomposition();
+  // Points across a thin body stand in fewer layers than a cubic has coefficients: what they do not tell stays out.
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> fit;
+  fit.setThreshold(1e-6);
+  fit.compute(monomials.values(context.points.volume.points));
   const auto by = monomials.gradients(context.points.volume.points);
   double squared = 0;
   for (Index k = 0; k < u.cols(); ++k) {

@@ -58,6 +58,21 @@ TEST(Linearity, FindsTheRotationOfABentBar) {
   EXPECT_GT(expected, 0.9 * 3 * 2 * 0.16);
 }
 
+// A plate 200 times as wide as thick, bent by u_z = a x^2, u_x = -2 a x z: it turns by 2 a x.
+TEST(Linearity, FindsTheRotationOfAThinPlate) {
+  const Scene scene = one_body(Box{{1, 1, 0.005}}, {7e10, 0.22, 2500}, {1, {1, 1, 1}});
+  const EvaluationPoints points = evaluation_points(scene, scene.bodies[0]);
+  Trajectory answer = linear_field(points, Eigen::Matrix3d::Zero());
+  const Matrix3Xd X = points.all();
+  double expected = 0;
+  for (Index p = 0; p < X.cols(); ++p) {
+    answer.bodies[0].displacement(3 * p, 1) = -2 * 0.03 * X(0, p) * X(2, p);
+    answer.bodies[0].displacement(3 * p + 2, 1) = 0.03 * X(0, p) * X(0, p);
+    if (p < points.volume.points.cols()) expected = std::max(expected, std::abs(2 * 0.03 * X(0, p)));
+  }
+  EXPECT_NEAR(largest_rotation(answer, {scene, 0, points, false}), expected, 1e-9);
+}
+
 TEST(Linearity, TakesRigidMotionOutOfFreeBodies) {
   const Scene scene = bar();
   const EvaluationPoints points = evaluation_points(scene, scene.bodies[0]);
