@@ -72,7 +72,7 @@ TEST(HardCases, AreThoseThatSayWhatIsHardWithTheVerdictOfTheirChecks) {
   EXPECT_EQ(table.rows[0][5].text, "1") << "failed";
 }
 
-TEST(Verification, NamesReferenceUncertaintyToleranceReasonAndResult) {
+TEST(VerificationTable, NamesReferenceUncertaintyToleranceReasonAndResult) {
   const Sheet table = verification_table(evaluate(input(0.001, 1e-4)));
   ASSERT_EQ(table.rows.size(), 2u);
   const auto& row = table.rows[1];
@@ -85,7 +85,7 @@ TEST(Verification, NamesReferenceUncertaintyToleranceReasonAndResult) {
   EXPECT_EQ(table.rows[0][9].text, "does not hold");
 }
 
-TEST(Verification, DocumentIsMarkdownWhateverTheTexts) {
+TEST(VerificationTable, DocumentIsMarkdownWhateverTheTexts) {
   const std::string text = verification_document(evaluate(input(0.001, 1e-4)));
   EXPECT_EQ(text.find("# Verification\n"), 0u);
   EXPECT_NE(text.find("- **hard**: Ours."), std::string::npos);
