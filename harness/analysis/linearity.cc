@@ -75,40 +75,48 @@ std::vector<Index> few_samples(const MatrixXd& u) {
   return picked;
 }
 
+struct LinearAnswer {
+  MatrixXd u;            // [m] n x times, all unknowns of the mesh
+  Trajectory at_points;  // displacement and strain
+};
+LinearAnswer linear_answer(const AnalysisContext& context, const ModalBody& body) {
+  const Scene& scene = *context.scene;
+  Settings settings;
+  settings.load_tolerance = scene.study.load_tolerance;
+  const VectorXd times = sample_times(scene);
+  const States states = context.catalogue.integrator("exact")
+                            .prepare(project(body.system, body.modes), settings, scene.duration)
+                            ->run(times);
+  LinearAnswer answer{body.modes.Phi * states.u, {}};
+  answer.at_points.t = times;
+  answer.at_points.bodies.resize(1);
+  answer.at_points.bodies[0].displacement = body.model.displacement * answer.u;
+  answer.at_points.bodies[0].strain = body.model.strain * answer.u;
+  return answer;
+}
+
 }  // namespace
 
 std::vector<Finding> linearity(const AnalysisContext& context) {
   const Scene& scene = *context.scene;
   const Body& scene_body = scene.bodies.front();
   const ModalBody body = modal_body(context, std::min(mode_counts(context).back(), most_modes));
-  const System& system = body.system;
-  if (!system.stored_energy || !is_held(scene_body))
+  if (!body.system.stored_energy || !is_held(scene_body))
     throw std::invalid_argument("linearity is told of bodies of kinematics 'finite' that supports hold");
-  Settings settings;
-  settings.load_tolerance = scene.study.load_tolerance;
-  System reduced = project(system, body.modes);
-  const VectorXd times = sample_times(scene);
-  const States states = context.catalogue.integrator("exact").prepare(reduced, settings, scene.duration)->run(times);
-  const Trajectory& truth = context.truth.same_mesh;
-  const MatrixXd& finite = truth.bodies.front().displacement;
-  Trajectory linear;
-  linear.t = times;
-  linear.bodies.resize(1);
-  linear.bodies[0].displacement = body.model.displacement * (body.modes.Phi * states.u);
-  linear.bodies[0].strain = body.model.strain * (body.modes.Phi * states.u);
-  const MetricContext metric{scene, 0, body.model.points, false};
+  const auto [u, linear] = linear_answer(context, body);
+  const MatrixXd gap = linear.bodies[0].displacement - context.truth.same_mesh.bodies.front().displacement;
   const VectorXd w = body.model.points.volume.weights.replicate(1, 3).transpose().reshaped();
   const auto squared = [&](const VectorXd& at_points) { return at_points.head(w.size()).cwiseAbs2().dot(w); };
   double of_u = 0, of_2 = 0, of_3 = 0, of_sum = 0, of_error = 0;
-  for (const Index k : few_samples(states.u)) {
-    const VectorXd u = body.modes.Phi * states.u.col(k);
-    const Terms t = terms(system, body.shifted, u, extent(scene_body.shape));
+  for (const Index k : few_samples(u)) {
+    const Terms t = terms(body.system, body.shifted, u.col(k), extent(scene_body.shape));
     of_u += squared(linear.bodies[0].displacement.col(k));
     of_2 += squared(body.model.displacement * t.v2);
     of_3 += squared(body.model.displacement * t.v3);
     of_sum += squared(body.model.displacement * (t.v2 + t.v3));
-    of_error += squared(linear.bodies[0].displacement.col(k) - finite.col(k));
+    of_error += squared(gap.col(k));
   }
+  const MetricContext metric{scene, 0, body.model.points, false};
   const double strain = largest_strain(linear, metric), rotation = largest_rotation(linear, metric);
   const bool warned = strain > linear_strain || rotation > linear_rotation;
   Finding found = linearity_table();
