@@ -51,6 +51,17 @@ TEST(Cholesky, SolvesToWorkingPrecision) {
   EXPECT_EQ(factor.solve(b), x) << "a solve must not depend on earlier ones";
 }
 
+// A row's unit is no matter: a light rigid body beside stiff modes is regular, a body that may move freely is not.
+TEST(Cholesky, SingularIsWhatVanishesBesideItsOwnDiagonal) {
+  const VectorXd wide{{1e14, 1, 1e-14}};
+  EXPECT_NEAR(Cholesky(diagonal(wide)).solve(VectorXd(VectorXd::Ones(3)))(2), 1e14, 1);
+  const System body = box_system({.cells = {3, 2, 2}}).system;
+  EXPECT_THROW(Cholesky{shifted(body, 0)}, std::runtime_error);
+  const SparseMatrix units = diagonal(VectorXd::LinSpaced(body.K.rows(), -6, 6).array().exp().matrix());
+  EXPECT_THROW(Cholesky{SparseMatrix(units * body.K * units)}, std::runtime_error);
+  EXPECT_NO_THROW(Cholesky{SparseMatrix(units * shifted(body, -1e-6) * units)});
+}
+
 TEST(Cholesky, ManyRightHandSidesAreSolvedAsOne) {
   const System body = box_system({.cells = {4, 3, 3}}).system;
   const Cholesky factor(shifted(body, -0.1));

@@ -72,6 +72,7 @@ class NewmarkFinite final : public Stepper {
     if (status != Status::ok) {
       out.status = status;
       out.n_valid = (times.array() <= failed).count();
+      blank_rest(out);
     }
     if (touches_) out.contact = record.history(times, out.u, out.v, out.n_valid);
     return out;

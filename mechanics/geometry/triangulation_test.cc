@@ -6,6 +6,7 @@
 #include <map>
 
 #include "mechanics/geometry/superquadric.h"
+#include "mechanics/verified_test.h"
 
 namespace mb {
 namespace {
@@ -74,17 +75,31 @@ TEST(TriangulationVerification, VolumeAndAreaConvergeWithOrderTwo) {
       {Cylinder{R, L}, 2 * pi * R * (R + L)},
       {Superquadric{{0.3, 0.1, 0.2}, 1, 1}, surface_moments({{0.3, 0.1, 0.2}, 1, 1}).area},
       {Superquadric{{0.3, 0.1, 0.2}, 0.6, 0.8}, surface_moments({{0.3, 0.1, 0.2}, 0.6, 0.8}).area}};
+  double worst = 0;
   for (const auto& [shape, area] : round) {
     const TriangleMesh coarse = triangulate(shape, 16), fine = triangulate(shape, 32);
     EXPECT_LT(enclosed(fine), volume(shape));
     EXPECT_LT(fine.vertex_area.sum(), area);
-    EXPECT_NEAR(std::log2((volume(shape) - enclosed(coarse)) / (volume(shape) - enclosed(fine))), 2, 0.05);
-    EXPECT_NEAR(std::log2((area - coarse.vertex_area.sum()) / (area - fine.vertex_area.sum())), 2, 0.05);
+    for (const double order : {std::log2((volume(shape) - enclosed(coarse)) / (volume(shape) - enclosed(fine))),
+                               std::log2((area - coarse.vertex_area.sum()) / (area - fine.vertex_area.sum()))}) {
+      EXPECT_NEAR(order, 2, 0.05);
+      worst = std::max(std::abs(order - 2), worst);
+    }
   }
   const Shape box = Box{{0.3, 0.2, 0.7}}, octahedron = Superquadric{{0.2, 0.1, 0.1}, 2, 2};
   EXPECT_NEAR(enclosed(triangulate(box, 3)), volume(box), 1e-14 * volume(box));
   EXPECT_NEAR(triangulate(box, 3).vertex_area.sum(), 0.82, 1e-14);
   EXPECT_NEAR(enclosed(triangulate(octahedron, 3)), volume(octahedron), 1e-14 * volume(octahedron));
+  testing::expect_verified(
+      {.quantity =
+           "distance of the fitted order from 2 (volume and area of a triangulated ball, can and two superquadrics)",
+       .reference = "exact solution",
+       .source = "Closed forms; areas of the superquadrics by the double exponential rule of surface_moments",
+       .uncertainty = "1e-12 of the areas",
+       .tolerance = 0.05,
+       .why = "At 16 and 32 pieces of an edge the next terms of the error still shift the order; orders 1 and 3 are "
+              "off by 1."},
+      worst);
 }
 
 TEST(Triangulation, QuadrilateralsAreCutAlongTheirShorterDiagonal) {

@@ -27,9 +27,8 @@ char before(std::string_view text, std::size_t i) {
   return '\0';
 }
 
-bool is_comparison(std::string_view text, std::size_t i) {  // the '=' at i belongs to == <= >= !=
-  const char left = i > 0 ? text[i - 1] : '\0', right = i + 1 < text.size() ? text[i + 1] : '\0';
-  return right == '=' || left == '=' || left == '<' || left == '>' || left == '!';
+bool is_comparison(std::string_view text, std::size_t i) {  // the '=' at i belongs to <= >=
+  return i > 0 && (text[i - 1] == '<' || text[i - 1] == '>');
 }
 
 // One sentence, or empty.
@@ -39,7 +38,9 @@ std::string refusal(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     const auto at = [&](std::string_view what) { return fmt::format("{} at position {}", what, i + 1); };
-    if (!is_name(c) && std::string_view(" +-*/^(),.<>=!&|?:").find(c) == std::string_view::npos)
+    if (const auto two = text.substr(i, 2); two == "==" || two == "!=")
+      return at(fmt::format("'{}' is not allowed (use < and >)", two));
+    if (!is_name(c) && std::string_view(" +-*/^(),.<>=&|?:").find(c) == std::string_view::npos)
       return at(c > ' ' && c <= '~' ? fmt::format("'{}' is not allowed", c) : "a character that is not allowed");
     if (c == '=' && !is_comparison(text, i)) return at("assignment is not allowed: '='");
     if (c == '(') in_call.push_back(is_name(before(text, i)));

@@ -1,11 +1,12 @@
 // Formulas from case files: whatever the text, it is refused by a std::domain_error or has the value that it has in
-// parentheses, each time again; and what expression_problem lets pass is finite at both
-// ends of the duration.
+// parentheses, each time again; and what expression_problem lets pass is finite at every time asked for, and elsewhere
+// finite or said to be not.
 #include <bit>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "mechanics/history/expression.h"
 #include "mechanics/history/history.h"
@@ -31,6 +32,16 @@ void require_same_values(const std::string& text) {
   }
 }
 
+// Between the points that were looked at it may not be finite, and then says that and where, nothing else.
+void require_value_or_its_name(const mb::Formula& formula, double t) {
+  try {
+    formula(t);
+  } catch (const std::domain_error& error) {
+    if (std::string(error.what()).find("is not finite at t = ") == std::string::npos)
+      throw std::logic_error("refused between the points that were looked at");
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -47,9 +58,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const std::domain_error&) {
       throw std::logic_error("refused in parentheses");
     }
-  if (!mb::expression_problem(text, 1).empty()) return 0;
+  const std::vector<double> asked_for{0, 0.123456789, 0.5, 1};
+  if (!mb::expression_problem(text, 1, asked_for).empty()) return 0;
   if (!reads) throw std::logic_error("no problem, and refused");
   const mb::Formula formula(text);
-  for (const double t : {0.0, 1.0}) formula(t);
+  for (const double t : asked_for) formula(t);
+  for (int i = 1; i < 32; ++i) require_value_or_its_name(formula, i / 31.7);
   return 0;
 }

@@ -35,7 +35,7 @@ TEST(ExpressionTest, Grammar) {
       {"min(t, 0.2) + max(t,0.2)", 0.9},
       {"abs(sign(-t)) + sqrt(4)", 3},
       {"t < 0.5 ? 1 : 2", 2},
-      {"t >= 0.5 && t != 1 || t == 0", 1},
+      {"t >= 0.5 && t < 1 || t <= 0", 1},
       {"acos(cos(t))+asin(sin(t))+atan(tan(t))+cosh(0)+sinh(0)+tanh(0)", 3 * t + 1}};
   for (const auto& [formula, expected] : meanings) {
     EXPECT_EQ(problem(formula), "") << formula;
@@ -48,6 +48,8 @@ TEST(ExpressionTest, RefusesAndSaysWhere) {
   EXPECT_THAT(problem("sin(t) + (0,5)"), HasSubstr("comma"));
   EXPECT_THAT(problem("min((1,2),3)"), HasSubstr("comma"));
   EXPECT_THAT(problem("t = 5"), HasSubstr("assignment"));
+  EXPECT_THAT(problem("t == 0.015 ? 1/0 : 1"), HasSubstr("'==' is not allowed (use < and >) at position 3"));
+  EXPECT_THAT(problem("t != 0.015"), HasSubstr("'!=' is not allowed (use < and >) at position 3"));
   EXPECT_THAT(problem("(t = 5) + 1"), HasSubstr("assignment"));
   EXPECT_THAT(problem("\"text\""), HasSubstr("'\"' is not allowed at position 1"));
   EXPECT_THAT(problem("t\n"), HasSubstr("character that is not allowed at position 2"));
@@ -80,6 +82,17 @@ TEST(ExpressionTest, MustBeFiniteAllTheTime) {
   EXPECT_NE(expression_problem("1/(2-t)", 3), "");
   EXPECT_NE(expression_problem("t", 0), "");
   EXPECT_NE(expression_problem("t", std::nan("")), "");
+}
+
+// A formula is looked at, not proved: where it is asked for, and at some 4,000 points.
+TEST(ExpressionTest, IsFiniteAtEveryTimeThatIsAskedFor) {
+  const std::string narrow = "sqrt(abs(t - 0.0123456) - 1e-6)";  // undefined for two microseconds
+  EXPECT_EQ(expression_problem(narrow, 1), "");
+  EXPECT_EQ(expression_problem(narrow, 1, {0, 0.01, 0.02, 1}), "");
+  EXPECT_THAT(expression_problem(narrow, 1, {0, 0.0123456, 1}), HasSubstr("not finite at t = 0.0123456 s"));
+  EXPECT_THAT([&] { segments(Expression{narrow}, 1); },
+              testing::ThrowsMessage<std::domain_error>(HasSubstr("is not finite at t = 0.01234")))
+      << "the closed form looks closer where the function bends";
 }
 
 TEST(ExpressionTest, EvaluationIsRepeatable) {

@@ -178,10 +178,12 @@ double peak(const History& history, double duration) {
   return std::visit([duration](const auto& h) { return largest(h, duration); }, history);
 }
 
-std::string expression_problem(const std::string& formula, double duration) {
+std::string expression_problem(const std::string& formula, double duration, const std::vector<double>& times) {
   if (!positive(duration)) return "the duration must be positive";
   try {
-    sampled_peak(evaluator(Expression{formula}), 0, duration);
+    const auto s = evaluator(Expression{formula});
+    sampled_peak(s, 0, duration);
+    for (const double t : times) s(t);
   } catch (const std::domain_error& error) {
     return error.what();
   }

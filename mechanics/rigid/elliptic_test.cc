@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mechanics/types.h"
+#include "mechanics/verified_test.h"
 
 namespace mb {
 namespace {
@@ -72,6 +73,16 @@ TEST(CarlsonVerification, PublishedValues) {  // Carlson 1995, Numerical Algorit
   EXPECT_NEAR(carlson_rf(1, 2, 0), 1.3110287771461, 5e-14);
   EXPECT_NEAR(carlson_rf(0.5, 1, 0), 1.8540746773014, 5e-14);
   EXPECT_NEAR(carlson_rf(2, 3, 4), 0.58408284167715, 5e-15);
+  const Vector3d off((carlson_rf(1, 2, 0) - 1.3110287771461) / 1e-13, (carlson_rf(0.5, 1, 0) - 1.8540746773014) / 1e-13,
+                     (carlson_rf(2, 3, 4) - 0.58408284167715) / 1e-14);
+  testing::expect_verified(
+      {.quantity = "Carlson's R_F at (1, 2, 0), (1/2, 1, 0) and (2, 3, 4), in units of the last printed digit",
+       .reference = "published",
+       .source = "Carlson 1995, Numerical Algorithms 10, 13-26, sect. 3",
+       .uncertainty = "0.5, the digits printed",
+       .tolerance = 0.5,
+       .why = "Half of the last digit: R_F itself is good to some 1e-15."},
+      off.cwiseAbs().maxCoeff());
 }
 
 TEST(Carlson, InvertsTheJacobiFunctions) {

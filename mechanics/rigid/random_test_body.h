@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "mechanics/algebra/worse_test.h"
 #include "mechanics/rigid/torque_free.h"
 #include "mechanics/types.h"
 
@@ -42,7 +43,7 @@ inline double difference(const Rotation& a, const Rotation& b) {
   const Eigen::Vector4d p = a.orientation.coeffs(), q = b.orientation.coeffs();
   const double angle = 4 * std::asin(std::min(1.0, 0.5 * std::min((p - q).norm(), (p + q).norm())));
   const double speed = a.angular_velocity.norm(), error = (a.angular_velocity - b.angular_velocity).norm();
-  return std::max(angle, error > 0 ? error / speed : 0);
+  return worse(angle, error == 0 ? 0 : error / speed);
 }
 
 // What a few roundings amount to at time t: of the phases, and of the data, which the motion near the intermediate axis

@@ -71,6 +71,7 @@ class Exact final : public Stepper {
            states.v.col(states.n_valid).allFinite())
       ++states.n_valid;
     if (states.n_valid < n_times) states.status = Status::not_finite;
+    blank_rest(states);
     return states;
   }
 

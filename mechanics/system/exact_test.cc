@@ -187,6 +187,7 @@ TEST(ExactTest, FailureIsAStatus) {
   const States states = exact(system, 1)->run(equally_spaced(1, 5));
   EXPECT_EQ(states.status, Status::not_finite);
   EXPECT_EQ(states.n_valid, 0);
+  EXPECT_TRUE(states.u.array().isNaN().all() && states.v.array().isNaN().all());
 }
 
 TEST(ExactTest, BadInput) {

@@ -47,6 +47,7 @@ States march(const System& system, double h, const VectorXd& times, const FixedS
   out.work.load_evaluations = out.work.steps;
   while (out.n_valid < k && out.u.col(out.n_valid).allFinite() && out.v.col(out.n_valid).allFinite()) ++out.n_valid;
   if (out.n_valid < times.size()) out.status = Status::not_finite;
+  blank_rest(out);
   return out;
 }
 

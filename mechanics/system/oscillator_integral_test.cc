@@ -10,6 +10,7 @@
 #include "mechanics/geometry/gauss.h"
 #include "mechanics/system/exp_difference.h"
 #include "mechanics/system/oscillator.h"
+#include "mechanics/verified_test.h"
 
 namespace mb {
 namespace {
@@ -106,23 +107,31 @@ Complex by_cauchy(const std::vector<Complex>& nodes) {
   return Complex(sum);
 }
 
-double off(const Complex& got, const std::vector<Complex>& nodes) {
-  const Complex expected = by_cauchy(nodes);
-  return std::abs(got - expected) / std::abs(expected);
-}
-
 // Nodes far apart, near each other, and one and the same, in any order: 9 roundings (seen 3.4).
 TEST(ExpDifferenceVerification, IsCauchysIntegral) {
   const Complex a(-1, 2), b(0, 0.3), c(-40, 1), d(-1, 2.0000001), o(0, 0);
+  double worst = 0;
+  const auto compare = [&](const Complex& got, const std::vector<Complex>& nodes) {
+    const Complex expected = by_cauchy(nodes);
+    const double off = std::abs(got - expected) / std::abs(expected);
+    EXPECT_LT(off, 2e-15) << ::testing::PrintToString(nodes);
+    worst = std::max(worst, off);
+  };
   for (const Complex x : {a, b, c, d, o})
     for (const Complex y : {a, b, c, d, o}) {
-      EXPECT_LT(off(exp_difference(x, y), {x, y}), 2e-15) << x << y;
+      compare(exp_difference(x, y), {x, y});
       for (const Complex z : {a, b, c, d, o}) {
-        EXPECT_LT(off(exp_difference(x, y, z), {x, y, z}), 2e-15) << x << y << z;
-        for (const Complex w : {a, b, c, d, o})
-          EXPECT_LT(off(exp_difference(x, y, z, w), {x, y, z, w}), 2e-15) << x << y << z << w;
+        compare(exp_difference(x, y, z), {x, y, z});
+        for (const Complex w : {a, b, c, d, o}) compare(exp_difference(x, y, z, w), {x, y, z, w});
       }
     }
+  testing::expect_verified({.quantity = "divided differences of the exponential at 2 to 4 complex nodes, 0 to 40 apart",
+                            .reference = "second route",
+                            .source = "Cauchy's integral in extended precision, 1000 points on a circle",
+                            .uncertainty = "1e-16, rounding of the result to double precision",
+                            .tolerance = 2e-15,
+                            .why = "Nine roundings; the recursion loses no more than a digit in a step."},
+                           worst);
   EXPECT_LT(std::abs(exp_difference(a, a, a, a) - std::exp(a) / 6.0), 1e-15 * std::abs(std::exp(a)));
 }
 

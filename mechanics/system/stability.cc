@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mechanics/system/system.h"
+
 namespace mb {
 
 namespace {
@@ -39,6 +41,21 @@ const Scheme& scheme(const std::string& name) {
   for (const Scheme& s : schemes())
     if (s.name == name) return s;
   throw std::out_of_range("no scheme of the name '" + name + "'");
+}
+
+bool steps_as(const Scheme& scheme, const System& system) {
+  if (scheme.integrator.empty()) return false;
+  if (scheme.integrator != "central-difference" || !is_damped(system)) return true;
+  const bool lumped = system.lumped_mass.rows() > 0, by_mass = system.damping.alpha != 0;
+  const bool coupling = system.damping.beta != 0 || (system.modal_damping.d.array() != 0).any();
+  if (scheme.name == "central-difference") return !lumped || !coupling;
+  return lumped && !by_mass;
+}
+
+const Scheme* scheme_of(const std::string& integrator, const System& system) {
+  for (const Scheme& one : schemes())
+    if (one.integrator == integrator && steps_as(one, system)) return &one;
+  return nullptr;
 }
 
 double spectral_radius(const Matrix2d& A) {

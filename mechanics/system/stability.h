@@ -19,6 +19,7 @@
 
 namespace mb {
 
+struct System;
 using Matrix2d = Eigen::Matrix2d;
 
 struct Scheme {
@@ -34,6 +35,12 @@ struct Scheme {
 };
 const std::vector<Scheme>& schemes();           // the visible list: every scheme and damping variant
 const Scheme& scheme(const std::string& name);  // throws std::out_of_range naming it
+
+// Whether the integrator named by the scheme damps the system as the scheme does: central differences treat damping
+// implicitly but for what a lumped mass would couple (central_difference.h).
+bool steps_as(const Scheme& scheme, const System& system);
+// The scheme by which the integrator steps the system; nullptr where none is known.
+const Scheme* scheme_of(const std::string& integrator, const System& system);
 
 double spectral_radius(const Matrix2d& A);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <stdexcept>
 
 #include "mechanics/system/stored_energy.h"
@@ -50,6 +51,23 @@ VectorXd apply_damping(const System& system, const VectorXd& v) {
   return Cv;
 }
 
+System with_lumped_mass(const System& system) {
+  if (system.lumped_mass.rows() == 0) throw std::invalid_argument("the system has no lumped mass");
+  System lumped = system;
+  lumped.M = system.lumped_mass;
+  if (lumped.R.cols() > 0) {
+    const MatrixXd gram = lumped.R.transpose() * (lumped.M * lumped.R);
+    lumped.R = gram.llt().matrixU().solve<Eigen::OnTheRight>(lumped.R);
+  }
+  return lumped;
+}
+
+System with_consistent_mass(const System& system) {
+  System consistent = system;
+  consistent.lumped_mass.resize(0, 0);
+  return consistent;
+}
+
 LoadFactors::LoadFactors(const System& system) : s_(static_cast<Index>(system.s.size())) {
   for (const History& history : system.s) histories_.push_back(evaluator(history));
 }
@@ -70,6 +88,13 @@ void require_linear(const System& system, const char* integrator) {
         fmt::format("{}: for linear systems; bodies of finite kinematics take newmark or "
                     "sundials",
                     integrator));
+}
+
+void blank_rest(States& states) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Index n_left = states.u.cols() - states.n_valid;
+  states.u.rightCols(n_left).setConstant(nan);
+  states.v.rightCols(n_left).setConstant(nan);
 }
 
 States Stepper::averages(const VectorXd&, double) const {

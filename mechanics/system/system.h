@@ -45,6 +45,11 @@ void require_consistent(const System& system);  // throws std::invalid_argument 
 bool is_damped(const System& system);                             // C is not 0
 VectorXd apply_damping(const System& system, const VectorXd& v);  // C v [N]
 
+// The system with its lumped mass as its only one, R orthonormal in it, as explicit integrators see it. Throws
+// std::invalid_argument where it has none.
+System with_lumped_mass(const System& system);
+System with_consistent_mass(const System& system);  // and without the lumped one
+
 // s(t) of all loads, prepared for many evaluations; one a thread.
 class LoadFactors {
  public:
@@ -69,7 +74,7 @@ struct Work {
 enum class Status { ok, not_finite, no_convergence, too_many_steps, unstable, inverted };
 const char* to_string(Status status);
 
-// States at the times asked for. Where status is not ok, columns from n_valid on are not to be used.
+// States at the times asked for. Where status is not ok, columns from n_valid on are NaN, but where all were reached.
 struct States {
   MatrixXd u, v;  // [m], [m/s]; n x number of times
   Work work;
@@ -78,6 +83,7 @@ struct States {
   ContactHistory contact = {};  // of steppers in contact
   VectorXd energy = {};         // [J] kinetic, strain and contact's, less the loads' work; 0: take it from u and v
 };
+void blank_rest(States& states);  // u and v from n_valid on: what was not reached is no number, in every run the same
 
 // A time integrator prepared for one system (factors made). Runs repeat to the last digit, one thread at a time: they
 // share scratch space.

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "cases/exact/exact_test_table.h"
 #include "cases/scene/one_body.h"
+#include "mechanics/verified_test.h"
 #include "modal/bases/eigenmodes.h"
 #include "reference/full_model.h"
 
@@ -47,13 +49,18 @@ inline VectorXd frequency_errors(const Scene& scene, Index n_rigid, const std::v
   return errors;
 }
 
+// Of any sign; infinite where one is not finite, which a maximum would drop.
+inline double largest(const VectorXd& errors) {
+  return errors.allFinite() ? errors.cwiseAbs().maxCoeff() : std::numeric_limits<double>::infinity();
+}
+
 // log2(e_coarse/e_fine) of meshes whose cells differ by a factor of 2.
 inline VectorXd order(const VectorXd& coarse, const VectorXd& fine) {
   return (coarse.array() / fine.array()).log() / std::log(2.0);
 }
 
-// Errors on three meshes, each halved: all positive (Ritz), falling; the order of the finer pair within bounds.
-inline void expect_order(const std::array<VectorXd, 3>& errors, double at_least, double at_most) {
+// Errors on three meshes, each halved: all positive (Ritz), falling; the orders of the finer pair within bounds.
+inline VectorXd expect_order(const std::array<VectorXd, 3>& errors, double at_least, double at_most) {
   for (Index i = 0; i < errors[0].size(); ++i) {
     EXPECT_GT(errors[2][i], 0) << i;
     EXPECT_GT(errors[1][i], errors[2][i]) << i;
@@ -62,6 +69,7 @@ inline void expect_order(const std::array<VectorXd, 3>& errors, double at_least,
   const VectorXd observed = order(errors[1], errors[2]);
   EXPECT_GE(observed.minCoeff(), at_least) << observed.transpose();
   EXPECT_LE(observed.maxCoeff(), at_most) << observed.transpose();
+  return observed;
 }
 
 }  // namespace mb::testing

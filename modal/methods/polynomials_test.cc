@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/contract/linear.h"
+#include "mechanics/verified_test.h"
 #include "modal/bases/eigenmodes.h"
 #include "modal/bases/ritz_modes.h"
 #include "modal/bases/verification_test.h"
@@ -14,6 +15,7 @@ using testing::beam;
 using testing::beam_model;
 using testing::beam_shift;
 using testing::beam_times;
+using testing::expect_verified;
 
 std::unique_ptr<Method> polynomials(int degree) { return degree == 1 ? linear_strain() : quadratic_strain(); }
 
@@ -79,8 +81,17 @@ TEST(PolynomialMethodsVerification, LinearStrainOfASphere) {
     EXPECT_GT(error.minCoeff(), 0);
     EXPECT_LT(error.maxCoeff() - error.minCoeff(), 1e-11);  // rounding: a cube's symmetries spare isotropy
   }
-  EXPECT_LT(errors({4, {2}}).maxCoeff(), 2e-7);
   EXPECT_NEAR(std::log2(errors({2, {2}})[0] / errors({2, {4}})[0]), 4, 0.05);
+  expect_verified(
+      {.quantity = "squared frequencies of a free sphere whose strain is uniform, quartic cells, relative, the "
+                   "worst of six",
+       .reference = "exact solution",
+       .source = "energies of u = A x, A symmetric: 10 mu/(rho a^2) five times and 15 K/(rho a^2)",
+       .uncertainty = "rounding",
+       .tolerance = 2e-7,
+       .why = "The mesh's mean square of x is smaller by what lies between the sphere and its interpolation, "
+              "1.15e-7 as seen; its order is tested, too."},
+      testing::largest(errors({4, {2}})));
 }
 
 TEST(PolynomialMethods, HaveSixAndTwentyFourElasticFunctionsOfAFreeBody) {

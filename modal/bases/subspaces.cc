@@ -1,0 +1,57 @@
+#include "modal/bases/subspaces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace mb {
+namespace {
+
+// |D|_M, by the eigenvalues of D^T M D.
+double largest_in_mass_norm(const SparseMatrix& M, const MatrixXd& D) {
+  const MatrixXd squared = D.transpose() * (M * D);
+  const double largest =
+      Eigen::SelfAdjointEigenSolver<MatrixXd>(squared, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+  return std::sqrt(std::max(0.0, largest));
+}
+
+double outside(const SparseMatrix& M, const MatrixXd& A, const MatrixXd& B) {
+  return largest_in_mass_norm(M, A - B * (B.transpose() * (M * A)));
+}
+
+}  // namespace
+
+std::vector<Cluster> clusters(const VectorXd& lambda, Index n_rigid, double gap) {
+  if (!lambda.allFinite() || !std::is_sorted(lambda.begin(), lambda.end()))
+    throw std::invalid_argument("clusters: eigenvalues out of order or not finite");
+  std::vector<Cluster> all;
+  for (Index i = n_rigid; i < lambda.size(); ++i) {
+    const bool apart = i == n_rigid || lambda[i] - lambda[i - 1] > gap * lambda[i];
+    if (apart)
+      all.push_back({i, 1});
+    else
+      ++all.back().n;
+  }
+  return all;
+}
+
+double gap_around(const VectorXd& lambda, Index n_rigid, const Cluster& cluster) {
+  const auto [first, n] = cluster;
+  double least = std::numeric_limits<double>::infinity();
+  if (first > n_rigid) least = 1 - lambda[first - 1] / lambda[first];
+  if (first + n < lambda.size()) least = std::min(least, lambda[first + n] / lambda[first + n - 1] - 1);
+  return least;
+}
+
+double subspace_distance(const SparseMatrix& M, const MatrixXd& A, const MatrixXd& B) {
+  if (A.rows() != M.rows() || B.rows() != M.rows() || A.cols() != B.cols() || A.cols() == 0)
+    throw std::invalid_argument(fmt::format("subspaces: {} x {} beside {} x {} in the norm of {} unknowns", A.rows(),
+                                            A.cols(), B.rows(), B.cols(), M.rows()));
+  if (!A.allFinite() || !B.allFinite()) throw std::invalid_argument("subspaces: a vector is not finite");
+  return std::max(outside(M, A, B), outside(M, B, A));
+}
+
+}  // namespace mb
