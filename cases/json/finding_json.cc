@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "cases/json/members.h"
+#include "cases/scene/printable.h"
 
 namespace mb {
 
@@ -18,7 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 Json cell_json(const FindingCell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* text = std::get_if<std::string>(&cell)) return one_line(*text, max_text);
   const double value = std::get<double>(cell);
   if (std::isfinite(value)) return value;
   return {{"special", std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"}};
@@ -71,6 +72,43 @@ std::vector<std::vector<FindingCell>> rows_from(Members& members, std::size_t n_
   return rows;
 }
 
+// As rows, null where a cell has none.
+Json bars_json(const std::vector<std::vector<double>>& bars) {
+  Json json = Json::array();
+  for (const auto& row : bars) {
+    Json& cells = json.emplace_back(Json::array());
+    for (const double bar : row) cells.push_back(std::isfinite(bar) ? Json(bar) : Json());
+  }
+  return json;
+}
+
+std::vector<std::vector<double>> bars_from(Members& members, std::size_t n_rows, std::size_t n_columns) {
+  const Json& all = array_of(members, "bars", 0, n_rows);
+  if (!all.empty() && all.size() != n_rows) refuse("bars", "are not as many as the rows");
+  std::vector<std::vector<double>> bars;
+  for (const Json& json : all) {
+    if (!json.is_array() || json.size() != n_columns) refuse("bars", "have a row that is not as long as the columns");
+    auto& row = bars.emplace_back();
+    for (const Json& cell : json) {
+      if (!cell.is_null() && !(cell.is_number() && std::isfinite(cell.get<double>()) && cell.get<double>() >= 0))
+        refuse("bars", "hold what is neither null nor a number from 0");
+      row.push_back(cell.is_null() ? not_a_number : cell.get<double>());
+    }
+  }
+  return bars;
+}
+
+Json footing_json(const Footing& footing) {
+  return {{"reference", footing.reference}, {"kind", footing.kind}, {"uncertainty", footing.uncertainty}};
+}
+
+Footing footing_from(Members& members) {
+  Members footing(members.get("footing"), "footing");
+  const Footing read{footing.text("reference"), footing.text("kind"), footing.text("uncertainty")};
+  footing.expect_no_more();
+  return read;
+}
+
 std::string name_of(Members& members, const char* key) {
   std::string name = members.name(key);
   if (name.empty()) refuse(key, "is empty");
@@ -85,8 +123,15 @@ void require_bounds(const Finding& finding) {
   if (finding.columns.empty()) throw std::invalid_argument("finding: no columns");
   require_size(finding.columns.size(), max_columns, "columns");
   require_size(finding.rows.size(), max_rows, "rows");
-  for (const std::string* text : {&finding.title, &finding.note}) require_size(text->size(), max_text, "bytes of text");
-  for (const auto& column : finding.columns) require_size(column.name.size() + column.unit.size(), max_text, "bytes");
+  const auto& [reference, kind, uncertainty] = finding.footing;
+  for (const std::string* text : {&finding.title, &finding.note, &reference, &kind, &uncertainty})
+    require_size(text->size(), max_text, "bytes of text");
+  if (!finding.bars.empty() && finding.bars.size() != finding.rows.size())
+    throw std::invalid_argument("finding: bars not as many as rows");
+  for (const auto& row : finding.bars)
+    if (row.size() != finding.columns.size()) throw std::invalid_argument("finding: bars not as long as the columns");
+  for (const auto& column : finding.columns)
+    for (const std::string* text : {&column.name, &column.unit}) require_size(text->size(), max_text, "bytes of text");
   for (const auto& row : finding.rows) {
     if (row.size() != finding.columns.size()) throw std::invalid_argument("finding: a row not as long as the columns");
     for (const FindingCell& cell : row) {
@@ -105,7 +150,7 @@ Json to_json(const Finding& finding) {
   json["analysis"] = finding.analysis;
   json["name"] = finding.name;
   json["title"] = finding.title;
-  json["note"] = finding.note;
+  json["note"] = one_line(finding.note, max_text);  // what failed may be told in several lines
   json["case"] = finding.case_name;
   json["profile"] = finding.profile;
   json["columns"] = columns_json(finding.columns);
@@ -115,6 +160,8 @@ Json to_json(const Finding& finding) {
     for (const FindingCell& cell : row) cells.push_back(cell_json(cell));
     json["rows"].push_back(std::move(cells));
   }
+  json["bars"] = bars_json(finding.bars);
+  json["footing"] = footing_json(finding.footing);
   json["provenance"] = finding.provenance;
   return json;
 }
@@ -132,6 +179,8 @@ Finding finding_from_json(const Json& json) {
   finding.profile = members.one_of("profile", {"quick", "standard", "full"});
   finding.columns = columns_from(members);
   finding.rows = rows_from(members, finding.columns.size());
+  finding.bars = bars_from(members, finding.rows.size(), finding.columns.size());
+  finding.footing = footing_from(members);
   finding.provenance = members.texts("provenance");
   members.expect_no_more();
   return finding;

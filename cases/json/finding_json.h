@@ -12,7 +12,7 @@
 
 namespace mb {
 
-inline constexpr int finding_schema = 1;
+inline constexpr int finding_schema = 2;
 
 // Bounds: 1 to 64 columns, at most 100,000 rows, each as long as columns, texts of at most 4096 bytes.
 // Throws std::invalid_argument where the finding is out of bounds, so that nothing unreadable is ever written.

@@ -24,7 +24,9 @@ Finding example() {
           .case_name = "cylinder-shear",
           .profile = "quick",
           .columns = {{"modes", ""}, {"limit", "s"}},
-          .rows = {{8.0, 0.1 + 0.2}, {"full", infinity}, {"\"<é>\n", not_a_number}, {-0.0, -infinity}},
+          .rows = {{8.0, 0.1 + 0.2}, {"full", infinity}, {"\"<é>", not_a_number}, {-0.0, -infinity}},
+          .bars = {{0.0, 1e-3}, {not_a_number, 0.25}, {not_a_number, not_a_number}, {1.0, 2.0}},
+          .footing = {"the formula", "property", "bisection, 0.1 %"},
           .provenance = {{"commit", "abc"}}};
 }
 
@@ -57,6 +59,13 @@ TEST(FindingJson, every_field_comes_back_from_its_text) {
   EXPECT_EQ(after.rows[0], before.rows[0]) << "bit for bit: all 17 digits";
   EXPECT_EQ(after.rows[1], before.rows[1]);
   EXPECT_EQ(after.rows[2][0], before.rows[2][0]);
+  ASSERT_EQ(after.bars.size(), 4u);
+  EXPECT_EQ(after.bars[0], before.bars[0]);
+  EXPECT_TRUE(std::isnan(after.bars[1][0]));
+  EXPECT_EQ(after.bars[1][1], 0.25);
+  EXPECT_EQ(after.footing.reference, before.footing.reference);
+  EXPECT_EQ(after.footing.kind, before.footing.kind);
+  EXPECT_EQ(after.footing.uncertainty, before.footing.uncertainty);
   EXPECT_EQ(after.provenance, before.provenance);
   EXPECT_EQ(to_line(to_json(after)), to_line(to_json(before)));
 }
@@ -74,12 +83,13 @@ TEST(FindingJson, what_is_not_finite_is_named) {
 TEST(FindingJson, a_table_without_rows_is_one) {
   Finding empty = example();
   empty.rows.clear();
+  empty.bars.clear();
   EXPECT_TRUE(finding_from_json(parse_json(to_line(to_json(empty)))).rows.empty());
 }
 
 TEST(FindingJson, every_key_is_required_and_typed) {
-  for (const char* key :
-       {"schema", "run", "analysis", "name", "title", "note", "case", "profile", "columns", "rows", "provenance"}) {
+  for (const char* key : {"schema", "run", "analysis", "name", "title", "note", "case", "profile", "columns", "rows",
+                          "bars", "footing", "provenance"}) {
     for (const Json& wrong : {Json(true), Json(nullptr), Json(1.5), Json::array({Json::array({Json::object()})})}) {
       expect_refused(key, wrong);
     }
@@ -96,7 +106,7 @@ TEST(FindingJson, every_key_is_required_and_typed) {
 }
 
 TEST(FindingJson, hostile_values_are_refused) {
-  expect_refused("schema", 2);
+  expect_refused("schema", 3);
   expect_refused("run", "../../etc/passwd");
   expect_refused("run", "0123456789ABCDEF0123456789ABCDEF");
   expect_refused("analysis", "Upper case");
@@ -111,7 +121,9 @@ TEST(FindingJson, hostile_values_are_refused) {
   expect_refused("columns", wide);
   const Json row = {1, 2};
   expect_refused("rows", Json(100001, row));
-  EXPECT_EQ(finding_from_json(altered("rows", Json(100000, row))).rows.size(), 100000u);
+  Json most = altered("rows", Json(100000, row));
+  most["bars"] = Json::array();
+  EXPECT_EQ(finding_from_json(most).rows.size(), 100000u);
 }
 
 TEST(FindingJson, rows_hold_texts_numbers_and_named_specials_alone) {
@@ -121,6 +133,19 @@ TEST(FindingJson, rows_hold_texts_numbers_and_named_specials_alone) {
   }
   expect_refused("rows", Json::array({Json::array({1})}));
   expect_refused("rows", Json::array({Json::array({1, 2, 3})}));
+}
+
+TEST(FindingJson, bars_are_numbers_from_zero_or_null_one_a_cell) {
+  const Json whole = to_json(example())["bars"];
+  for (const Json& cell : {Json(-1e-9), Json("0.1"), Json(infinity), Json::array()}) {
+    Json wrong = whole;
+    wrong[0][1] = cell;
+    expect_refused("bars", wrong);
+  }
+  expect_refused("bars", Json::array({whole[0]}));
+  Json ragged = whole;
+  ragged[3].push_back(1);
+  expect_refused("bars", ragged);
 }
 
 TEST(FindingJson, nothing_unreadable_is_written) {
@@ -134,8 +159,34 @@ TEST(FindingJson, nothing_unreadable_is_written) {
                            with([](Finding& f) { f.columns.resize(65); }),
                            with([](Finding& f) { f.note = std::string(4097, 'x'); }),
                            with([](Finding& f) { f.rows[1][0] = std::string(4097, 'x'); }),
+                           with([](Finding& f) { f.bars.pop_back(); }),
+                           with([](Finding& f) { f.bars[0].pop_back(); }),
+                           with([](Finding& f) { f.footing.reference = std::string(4097, 'x'); }),
                            with([](Finding& f) { f.rows.resize(100001, f.rows[0]); })};
   for (const Finding& finding : wrong) EXPECT_THROW(to_json(finding), std::invalid_argument);
+}
+
+// A terminal obeys what some characters say: title, colour, cursor, the direction of what follows.
+TEST(FindingJson, what_does_not_print_is_refused_and_never_written) {
+  for (const char* hidden : {"a\x1b]0;title\x07",
+                             "\xc2\x9b"
+                             "31m",
+                             "\xe2\x80\xae"
+                             "abc",
+                             "two\nlines", "a\tb", "\x7f"}) {
+    for (const char* key : {"title", "note"}) expect_refused(key, hidden);
+    expect_refused("rows", Json::array({Json::array({1, hidden})}));
+    EXPECT_THROW(finding_from_json(altered("columns", Json::array({Json({{"name", hidden}, {"unit", ""}})}))),
+                 std::runtime_error);
+    EXPECT_THROW(finding_from_json(altered("footing", {{"reference", hidden}, {"kind", ""}, {"uncertainty", ""}})),
+                 std::runtime_error);
+    Finding told = example();
+    told.note = told.rows[1][0].emplace<std::string>(hidden);
+    EXPECT_NO_THROW(finding_from_json(parse_json(to_line(to_json(told))))) << hidden;
+  }
+  Finding failed = example();
+  failed.note = "failed: two\nlines";
+  EXPECT_EQ(finding_from_json(to_json(failed)).note, "failed: two lines");
 }
 
 TEST(FindingJson, every_truncation_and_every_swapped_byte_is_refused_or_a_finding) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "cases/scene/printable.h"
+
 namespace mb {
 
 void refuse(const std::string& key, const std::string& fault) { throw std::runtime_error("'" + key + "' " + fault); }
@@ -24,6 +26,7 @@ std::string text(const Json& json, const std::string& key) {
   if (!json.is_string()) refuse(key, "is not a string");
   const std::string& value = json.get_ref<const std::string&>();
   if (value.size() > max_size) refuse(key, "is longer than " + std::to_string(max_size) + " bytes");
+  if (unprintable(value)) refuse(key, "holds a character that does not print");
   return value;
 }
 
@@ -84,6 +87,7 @@ std::map<std::string, std::string> Members::texts(const std::string& key) {
   std::map<std::string, std::string> values;
   for (const auto& [name, value] : json.items()) {
     if (name.size() > 64) refuse(key, "has a key longer than 64 bytes");
+    if (unprintable(name)) refuse(key, "has a key that does not print");
     values[name] = mb::text(value, key);
   }
   return values;

@@ -17,7 +17,7 @@ class Members {
 
   const Json* find(const std::string& key);  // nullptr where absent
   const Json& get(const std::string& key);   // refused where absent
-  std::string text(const std::string& key);  // at most 4096 bytes
+  std::string text(const std::string& key);  // at most 4096 bytes, one line that prints (printable.h)
   std::string name(const std::string& key);  // [a-z0-9-]{0,64}
   long integer(const std::string& key, long lowest, long highest);
   double number(const std::string& key);     // finite

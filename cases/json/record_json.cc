@@ -5,13 +5,14 @@
 #include <limits>
 
 #include "cases/json/members.h"
+#include "cases/scene/printable.h"
 
 namespace mb {
 
 namespace {
 
 constexpr long max_count = std::numeric_limits<long>::max();
-constexpr std::size_t max_status = 1000;  // [bytes] kept of a message: readers refuse texts beyond 4096
+constexpr std::size_t max_status = 1000;  // [bytes] kept of a message, in one line that prints: readers refuse others
 
 // The tolerance of an integrator that has one is part of the answer even at its default.
 Json settings_json(const Record& record) {
@@ -161,7 +162,7 @@ Json to_json(const Record& record) {
   json["value"] = finite ? Json(record.value) : Json(nullptr);
   json["unit"] = record.unit;
   json["error_bar"] = has_bar ? Json(*record.error_bar) : Json(nullptr);
-  json["status"] = !finite && record.status == "ok" ? "not_finite" : record.status.substr(0, max_status);
+  json["status"] = !finite && record.status == "ok" ? "not_finite" : one_line(record.status, max_status);
   json["work"] = work_json(record.work);
   json["provenance"] = record.provenance;
   return json;

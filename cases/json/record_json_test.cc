@@ -147,6 +147,26 @@ TEST(RecordJson, WrongTypesAndRangesAreRefusedByName) {
   EXPECT_THROW(record_from_json(altered("surprise", 1)), std::runtime_error);
 }
 
+// A terminal obeys what some characters say: title, colour, cursor, the direction of what follows.
+TEST(RecordJson, WhatDoesNotPrintIsRefusedAndNeverWritten) {
+  for (const char* hidden : {"failed: \x1b]0;title\x07",
+                             "\xc2\x9b"
+                             "31m",
+                             "\xe2\x80\xae"
+                             "abc",
+                             "two\nlines", "a\tb"}) {
+    for (const char* key : {"status", "unit"}) expect_refused(key, hidden);
+    expect_refused("provenance", {{"commit", hidden}});
+    expect_refused("provenance", {{hidden, "abc"}});
+    Record told = example();
+    told.status = hidden;
+    EXPECT_NO_THROW(record_from_json(parse_json(to_line(to_json(told))))) << hidden;
+  }
+  Record failed = example();
+  failed.status = "failed: one\nand \x1b[31mtwo";
+  EXPECT_EQ(record_from_json(to_json(failed)).status, "failed: one and ?[31mtwo");
+}
+
 TEST(Json, HostileTextIsRefusedNotFollowed) {
   const std::string deep(1000000, '[');
   EXPECT_THAT([&] { parse_json(deep); }, ThrowsMessage<std::runtime_error>(HasSubstr("nested deeper")));

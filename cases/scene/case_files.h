@@ -16,15 +16,15 @@ inline Vocabulary vocabulary() {
           {"exact", "newmark", "central-difference", "explicit-euler", "symplectic-euler", "sundials"},
           {"displacement-error", "strain-error", "surface-deviation", "pose-translation", "pose-rotation",
            "probe-error", "contact-duration", "peak-force", "impulse", "restitution", "first-touch", "energy-gain",
-           "momentum-defect", "force-error", "momentum-drift"},
+           "energy-defect", "momentum-defect", "force-error", "momentum-drift"},
           {"linear", "quadratic", "full"},
           {"sundials"},
           {"budget",   "step-limits", "stability-map",  "aliasing",       "frequency-response", "mode-amplitudes",
            "damping",  "frequencies", "probe-extremes", "collision-cost", "contact-forces",     "contact-stiffness",
            "contact",  "flight-cost", "amplitude",      "instructions",   "slenderness",        "damping-coupling",
-           "long-run", "multiplets",  "locking",        "linearity",      "contact-stability"},
+           "long-run", "multiplets",  "locking",        "linearity",      "contact-stability",  "aspect"},
           {"stability-map", "aliasing", "frequency-response", "probe-extremes", "damping", "slenderness",
-           "damping-coupling", "long-run", "locking", "linearity"},
+           "damping-coupling", "long-run", "locking", "linearity", "aspect"},
           {"contact-stiffness", "contact", "flight-cost", "amplitude", "instructions", "contact-stability"},
           {"contact-stiffness"}};
 }

@@ -16,12 +16,6 @@ namespace {
 constexpr std::size_t most_findings = 200;
 constexpr std::size_t most_excerpt = 160;
 
-// Characters that would move the cursor, reverse the text or hide: a terminal must show what the file says.
-bool is_deceptive(char32_t c) {
-  return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xad || c == 0x61c || (c >= 0x200b && c <= 0x200f) ||
-         (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x206f) || c == 0xfeff || c >= 0xe0000;
-}
-
 bool before(const Diagnostic& a, const Diagnostic& b) {
   return std::tie(a.line, a.column, a.message) < std::tie(b.line, b.column, b.message);
 }
@@ -38,24 +32,6 @@ std::vector<Diagnostic> sorted(std::vector<Diagnostic> found) {
 }
 
 }  // namespace
-
-std::string printable(std::string_view text, std::size_t most) {
-  std::string out;
-  std::size_t n_characters = 0;
-  for (std::size_t at = 0; at < text.size(); ++n_characters) {
-    if (n_characters == most) return out + "...";
-    const CodePoint c = decode(text, at);
-    if (c.value == '\t') {
-      out += ' ';
-    } else if (!c.valid || is_deceptive(c.value)) {
-      out += '?';
-    } else {
-      out += text.substr(at, c.bytes);
-    }
-    at += c.bytes;
-  }
-  return out;
-}
 
 Findings::Findings(std::string file, std::string_view text)
     : file_(printable(file, 4096)), text_(text), line_starts_{0} {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cases/scene/printable.h"
 #include "cases/scene/read_toml.h"
 
 namespace mb {
@@ -15,9 +16,6 @@ namespace mb {
 struct Position {
   int line = 0, column = 0, length = 1;  // 1-based, columns count code points; line 0: the file as a whole
 };
-
-// Control, bidirectional and invisible characters become '?', tabs blanks; clipped to so many characters.
-std::string printable(std::string_view text, std::size_t most = 64);
 
 class Findings {
  public:

@@ -73,5 +73,23 @@ TEST(Printable, shows_no_character_that_moves_the_cursor_or_hides) {
   EXPECT_EQ(printable(std::string(100, 'a'), 3), "aaa...");
 }
 
+TEST(Printable, is_known_by_the_first_character_that_is_not) {
+  EXPECT_FALSE(unprintable("a line, h\xc3\xa9"));
+  EXPECT_FALSE(unprintable("two\r\nlines\n\tand a tab", true));
+  EXPECT_EQ(unprintable("two\nlines"), U'\n');
+  EXPECT_EQ(unprintable("back\rover", true), U'\r') << "alone it writes over the line";
+  EXPECT_EQ(unprintable("a\x1b[2J", true), 0x1bu);
+  EXPECT_EQ(unprintable("\xc2\x9b"), 0x9bu);
+  EXPECT_EQ(unprintable("\xe2\x80\xae"), 0x202eu);
+  EXPECT_EQ(unprintable("\xff"), 0xfffdu);
+  EXPECT_EQ(unprintable(std::string_view("\0", 1), true), 0u);
+}
+
+TEST(Printable, is_one_line_of_any_text) {
+  EXPECT_EQ(one_line("two\r\nlines \x1b[31m", 100), "two  lines ?[31m");
+  EXPECT_EQ(one_line("h\xc3\xa9", 2), "h?") << "cut within a character";
+  EXPECT_EQ(one_line("", 5), "");
+}
+
 }  // namespace
 }  // namespace mb

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "cases/scene/printable.h"
+
 namespace mb {
 
 namespace {
@@ -45,9 +47,11 @@ std::optional<std::string> nearest(std::string_view word, const std::vector<std:
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known, std::string_view kind) {
-  if (const auto candidate = nearest(word, known)) return fmt::format("did you mean '{}'?", *candidate);
+  if (const auto candidate = nearest(word, known)) return fmt::format("did you mean '{}'?", printable(*candidate));
   if (known.empty()) return fmt::format("there are no {}", kind);
-  return fmt::format("{}: {}", kind, fmt::join(known, ", "));
+  std::vector<std::string> shown;  // names of files may be anything
+  for (const std::string& word_known : known) shown.push_back(printable(word_known));
+  return fmt::format("{}: {}", kind, fmt::join(shown, ", "));
 }
 
 }  // namespace mb

@@ -34,6 +34,8 @@ TEST(Nearest, lists_what_is_known_otherwise) {
   EXPECT_EQ(suggestion("fixd", {"fixed", "sliding"}, "kinds"), "did you mean 'fixed'?");
   EXPECT_EQ(suggestion("glued", {"fixed", "sliding"}, "kinds"), "kinds: fixed, sliding");
   EXPECT_EQ(suggestion("glued", {}, "kinds"), "there are no kinds");
+  EXPECT_EQ(suggestion("nope", {"\x1b[31mevil\x07"}, "cases"), "cases: ?[31mevil?") << "names of files";
+  EXPECT_EQ(suggestion("\x1b[31mevi", {"\x1b[31mevil"}, "cases"), "did you mean '?[31mevil'?");
 }
 
 TEST(Utf8, decodes_one_to_four_bytes) {

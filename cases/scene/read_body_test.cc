@@ -156,7 +156,8 @@ TEST(ReadDashpot, is_of_linear_solids_that_supports_hold) {
       std::string::npos);
   EXPECT_NE(problems_of_text(with(text, "damping = 2.5", "damping = -1")).find("outside [1e-12, 1e15] N s/m"),
             std::string::npos);
-  EXPECT_NE(problems_of_text(with(text, "face = \"z-max\"\ndirection", "face = \"x-min\"\ndirection")).find("x-min"), std::string::npos);
+  EXPECT_NE(problems_of_text(with(text, "face = \"z-max\"\ndirection", "face = \"x-min\"\ndirection")).find("x-min"),
+            std::string::npos);
 }
 
 TEST(ReadMaterial, inclusions_are_boxes_of_another_stiffness) {
@@ -176,7 +177,8 @@ TEST(ReadResolution, boxes_may_be_biased_and_distorted) {
   EXPECT_NE(problems_of_text(wrong).find("'bias' is of boxes that are solids"), std::string::npos);
   const std::string distorted = with(cylinder_text(), "cells  = [1, 4]", "cells = [1, 4]\ndistorted = 0.1");
   EXPECT_NE(problems_of_text(distorted).find("'distorted' is of boxes that are solids"), std::string::npos);
-  EXPECT_NE(problems_of_text(with(distorted, "distorted = 0.1", "distorted = 0.5")).find("outside [0, 0.4]"), std::string::npos);
+  EXPECT_NE(problems_of_text(with(distorted, "distorted = 0.1", "distorted = 0.5")).find("outside [0, 0.4]"),
+            std::string::npos);
   EXPECT_EQ(to_string(Resolution{2, {2, 2, 4}, 0, {1, 1, 20}, 0.2}), "Q2 2x2x4 bias 1x1x20 distorted 0.2");
 }
 

@@ -107,7 +107,7 @@ std::optional<Check> read_check(Section section, const CheckContext& context, co
   bool of_table = false;
   for (const char* key : {"table", "column", "row"}) of_table = section.has(key) || of_table;
   bool whole = of_table ? read_table_check(section, context, check) : read_run(section, context, vocabulary, check);
-  const auto why = section.text("why", 1000);
+  const auto why = section.prose("why", 1000);
   read_limit(section, of_table ? cell_range : mark_range, check);
   section.finish();
   if (!whole || !why) return std::nullopt;

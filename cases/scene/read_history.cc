@@ -77,6 +77,7 @@ std::optional<Table> table_of_file(Section& section, const HistoryContext& conte
   return std::nullopt;
 }
 
+// What a file holds is never told, not even its times.
 std::optional<History> read_table(Section& section, const HistoryContext& context) {
   const bool from_file = section.has("file");
   const auto table = from_file ? table_of_file(section, context) : inline_table(section, context);
@@ -84,8 +85,9 @@ std::optional<History> read_table(Section& section, const HistoryContext& contex
   const std::string key = from_file ? "file" : "t";
   for (std::size_t i = 1; i < table->t.size(); ++i) {
     if (table->t[i] > table->t[i - 1]) continue;
-    section.error(
-        key, fmt::format("times must ascend: t = {} s at entry {} follows {} s", table->t[i], i + 1, table->t[i - 1]));
+    section.error(key, from_file ? fmt::format("times must ascend: entry {} does not follow the one before", i + 1)
+                                 : fmt::format("times must ascend: t = {} s at entry {} follows {} s", table->t[i],
+                                               i + 1, table->t[i - 1]));
     return std::nullopt;
   }
   const auto outside = [](double x, const Range& range) { return !range.contains(x); };
@@ -96,22 +98,26 @@ std::optional<History> read_table(Section& section, const HistoryContext& contex
     return std::nullopt;
   }
   if (table->t.front() < context.longest_duration) return *table;
-  section.error(key, fmt::format("the load starts at {} s, but the case ends at {} s", table->t.front(),
-                                 context.longest_duration));
+  section.error(key, from_file
+                         ? fmt::format("the load starts after the case has ended, at {} s", context.longest_duration)
+                         : fmt::format("the load starts at {} s, but the case ends at {} s", table->t.front(),
+                                       context.longest_duration));
   return std::nullopt;
 }
 
 std::optional<History> read_expression(Section& section, const HistoryContext& context) {
   const auto formula = section.text("formula", 256);
   if (!formula) return std::nullopt;
-  const std::string problem = expression_problem(*formula, context.longest_duration);
+  const std::string problem = expression_problem(*formula, context.longest_duration, context.looked_at);
   if (!problem.empty()) {
     section.error("formula", printable(problem, 200));
     return std::nullopt;
   }
   const Expression expression{*formula};
   const Range range = amplitude_range(context);
-  const double largest = peak(expression, context.longest_duration);
+  double largest = peak(expression, context.longest_duration);
+  const auto s = evaluator(expression);
+  for (const double t : context.looked_at) largest = std::max(largest, std::abs(s(t)));
   if (range.contains(largest)) return expression;
   section.error("formula",
                 fmt::format("the formula reaches {:.3g} in absolute value, outside {}", largest, to_string(range)));

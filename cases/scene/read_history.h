@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "cases/scene/section.h"
 #include "mechanics/history/history.h"
@@ -10,9 +12,10 @@ namespace mb {
 
 // What the files that a case refers to, and the times at which it ends, depend on.
 struct HistoryContext {
-  std::filesystem::path folder;     // of the case file: a table's file must lie below it
-  double longest_duration;          // [s] of all profiles
-  std::string amplitude_unit = "";  // of s(t): "" for factors on tractions
+  std::filesystem::path folder;        // of the case file: a table's file must lie below it
+  double longest_duration;             // [s] of all profiles
+  std::vector<double> looked_at = {};  // [s] when the motion is compared or shown: formulas are finite there
+  std::string amplitude_unit = "";     // of s(t): "" for factors on tractions
 };
 
 std::optional<History> read_history(Section section, const HistoryContext& context);

@@ -37,10 +37,10 @@ void require_schema(Section& root) {
 void read_prose(Section& root, Scene& scene) {
   scene.name = root.name("name").value_or("");
   scene.title = root.text("title", 200).value_or("");
-  scene.purpose = root.text("purpose", 4000).value_or("");
-  scene.source = root.text("source", 1000).value_or("");
+  scene.purpose = root.prose("purpose", 4000).value_or("");
+  scene.source = root.prose("source", 1000).value_or("");
   scene.exercises = root.text("exercises", 200, "");
-  scene.hard = root.text("hard", 1000, "");
+  scene.hard = root.prose("hard", 1000, "");
   if (!root.has("runs_in")) return;
   if (const auto profiles = read_unlike(root, "runs_in", {profile_names(), "profile", "profiles"})) {
     scene.runs_in.clear();
@@ -162,7 +162,7 @@ Scene read_parts(Section root, const Context& context, const std::string& name) 
   read_prose(root, scene);
   const Times times = read_times(root);
   auto profile = read_profile(root, name);
-  const HistoryContext history{context.folder, times.longest()};
+  const HistoryContext history{context.folder, times.longest(), times.looked_at()};
   const std::vector<BodyDraft> bodies = bodies_in(profile, read_mechanics(root, times, history, scene));
   for (const BodyDraft& body : bodies) check_ratios(body, root.findings());
   read_probes(root, bodies, scene);

@@ -42,7 +42,8 @@ std::optional<Drive> read_drive(Section& section, const HistoryContext& context)
   const auto direction = read_direction(section, "direction");
   const auto table = section.section("acceleration");
   const auto acceleration =
-      table ? read_history(*table, {context.folder, context.longest_duration, "m/s^2"}) : std::nullopt;
+      table ? read_history(*table, {context.folder, context.longest_duration, context.looked_at, "m/s^2"})
+            : std::nullopt;
   if (!direction || !acceleration) return std::nullopt;
   return Drive{*direction, *acceleration};
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "cases/scene/read_profile.h"
 
@@ -35,6 +37,15 @@ double Times::shortest() const {
 double Times::longest() const {
   const auto by_value = [](const auto& a, const auto& b) { return a.second < b.second; };
   return std::max_element(duration.begin(), duration.end(), by_value)->second;
+}
+
+std::vector<double> Times::looked_at() const {
+  std::vector<double> all;
+  for (const auto& [rate, from] : {std::pair(frame_rate, 0.0), std::pair(samples_per_second, samples_from)}) {
+    const double first = std::ceil(from * rate), end = longest();
+    for (double i = first; i / rate <= end && i - first <= most_samples; ++i) all.push_back(i / rate);
+  }
+  return all;
 }
 
 Times read_times(Section& root) {

@@ -13,6 +13,7 @@ struct Times {
   double samples_from = 0;                        // [s]
   double shortest() const;                        // [s]
   double longest() const;                         // [s]
+  std::vector<double> looked_at() const;  // [s] frames and samples of the longest profile, the first 1e5 of each
 };
 
 inline constexpr double most_samples = 1e5;  // times at which trajectories are compared: what memory holds

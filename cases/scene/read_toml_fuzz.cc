@@ -2,10 +2,12 @@
 // the bounds of the format, and reads the same again.
 #include <algorithm>
 #include <cstdint>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "cases/scene/case_files.h"
+#include "cases/scene/printable.h"
 #include "cases/scene/resolution.h"
 
 namespace {
@@ -21,8 +23,24 @@ bool is_name(const std::string& text) {
          std::ranges::all_of(text, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
 }
 
-bool prints(const std::string& text) {
-  return std::ranges::all_of(text, [](unsigned char c) { return c == '\n' || (c >= ' ' && c != 127); });
+bool prints(const std::string& line) { return printable(line, line.size()) == line; }
+
+bool lines_print(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (!prints(line)) return false;
+  return true;
+}
+
+void require_texts_print(const Scene& scene) {
+  for (const std::string* text : {&scene.title, &scene.exercises})
+    require(prints(*text), "a title that does not print");
+  for (const std::string* text : {&scene.purpose, &scene.source, &scene.hard})
+    require(!unprintable(*text, true), "prose that does not print");
+  for (const Check& check : scene.checks) {
+    require(prints(check.column) && prints(check.row), "a check that does not print");
+    require(!unprintable(check.why, true), "a reason that does not print");
+  }
 }
 
 void require_bounds(const Scene& scene) {
@@ -48,10 +66,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const Scene scene = test::read(text);
     require_bounds(scene);
+    require_texts_print(scene);
     require(canonical(test::read(text)) == canonical(scene), "another scene the second time");
   } catch (const CaseErrors& errors) {
     require(!errors.diagnostics().empty(), "refused without a reason");
-    require(prints(errors.what()), "a message that does not print");
+    require(lines_print(errors.what()), "a message that does not print");
   }
   return 0;
 }

@@ -51,8 +51,11 @@ class Section {
   std::optional<double> number_or(const std::string& word, double meant, const std::string& key, const Range& range);
   std::optional<int> integer(const std::string& key, const Range& range);  // the range lies within that of int
   int integer(const std::string& key, const Range& range, int fallback);
-  std::optional<std::string> text(const std::string& key, std::size_t longest);  // not blank
+  // Not blank, one line that prints (printable.h); prose may have several lines.
+  std::optional<std::string> text(const std::string& key, std::size_t longest);
   std::string text(const std::string& key, std::size_t longest, const std::string& fallback);
+  std::optional<std::string> prose(const std::string& key, std::size_t longest);
+  std::string prose(const std::string& key, std::size_t longest, const std::string& fallback);
   std::optional<std::string> name(const std::string& key);  // [a-z0-9-]{1,64}
   std::optional<std::string> choice(const std::string& key, const Words& words);
   std::optional<Vector3d> vector(const std::string& key, const Range& range);
@@ -101,7 +104,7 @@ class Section {
                                          const std::string& what);
   std::optional<double> as_number(const Item& item, const Range& range);
   std::optional<int> as_integer(const Item& item, const Range& range);
-  std::optional<std::string> as_text(const Item& item, std::size_t longest);
+  std::optional<std::string> as_text(const Item& item, std::size_t longest, bool prose);
   std::optional<std::string> as_word(const Item& item, const Words& words);
   void wrong_type(const Item& item, const std::string& expected);
   std::string path_of(const std::string& key) const;

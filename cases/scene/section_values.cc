@@ -24,6 +24,17 @@ bool is_vowel(char c) { return std::string_view("aeiou").find(c) != std::string_
 
 std::string text_of(std::size_t longest) { return fmt::format("a text of at most {} bytes", longest); }
 
+// Empty where there is none.
+std::string text_problem(const std::string& text, std::size_t longest, bool prose) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return "is blank";
+  if (text.size() > longest) return fmt::format("has {} bytes: at most {}", text.size(), longest);
+  const auto hidden = unprintable(text, prose);
+  if (!hidden) return "";
+  const bool layout = hidden == U'\n' || hidden == U'\t';
+  return fmt::format("holds the character U+{:04X}, which {}", static_cast<unsigned>(*hidden),
+                     layout ? "a line of text has not" : "does not print");
+}
+
 }  // namespace
 
 void Section::wrong_type(const Item& item, const std::string& expected) {
@@ -59,17 +70,15 @@ std::optional<int> Section::as_integer(const Item& item, const Range& range) {
   return x ? std::optional(static_cast<int>(*x)) : std::nullopt;
 }
 
-std::optional<std::string> Section::as_text(const Item& item, std::size_t longest) {
+std::optional<std::string> Section::as_text(const Item& item, std::size_t longest, bool prose) {
   const auto* text = std::get_if<std::string>(&item.value->value);
   if (text == nullptr) {
     wrong_type(item, "a string");
     return std::nullopt;
   }
-  const bool blank = text->find_first_not_of(" \t\r\n") == std::string::npos;
-  if (!blank && text->size() <= longest) return *text;
-  findings_->error(item.value->where,
-                   blank ? fmt::format("{} is blank", item.label)
-                         : fmt::format("{} has {} bytes: at most {}", item.label, text->size(), longest));
+  const std::string problem = text_problem(*text, longest, prose);
+  if (problem.empty()) return *text;
+  findings_->error(item.value->where, item.label + " " + problem);
   return std::nullopt;
 }
 
@@ -147,12 +156,22 @@ int Section::integer(const std::string& key, const Range& range, int fallback) {
 
 std::optional<std::string> Section::text(const std::string& key, std::size_t longest) {
   const auto item = required(key, text_of(longest));
-  return item ? as_text(*item, longest) : std::nullopt;
+  return item ? as_text(*item, longest, false) : std::nullopt;
 }
 
 std::string Section::text(const std::string& key, std::size_t longest, const std::string& fallback) {
   const auto item = find(key, text_of(longest));
-  return item ? as_text(*item, longest).value_or(fallback) : fallback;
+  return item ? as_text(*item, longest, false).value_or(fallback) : fallback;
+}
+
+std::optional<std::string> Section::prose(const std::string& key, std::size_t longest) {
+  const auto item = required(key, text_of(longest));
+  return item ? as_text(*item, longest, true) : std::nullopt;
+}
+
+std::string Section::prose(const std::string& key, std::size_t longest, const std::string& fallback) {
+  const auto item = find(key, text_of(longest));
+  return item ? as_text(*item, longest, true).value_or(fallback) : fallback;
 }
 
 std::optional<std::string> Section::name(const std::string& key) {

@@ -73,9 +73,12 @@ TableFile read_table_file(const fs::path& folder, const std::string& path, std::
   if (!file) return {{}, fmt::format("'{}' does not lie below the case's folder", shown)};
   const FileText content = read_text_file(*file, most_bytes);
   if (!content.problem.empty()) return {{}, fmt::format("'{}': {}", shown, content.problem)};
+  return table_of_text(content.text, shown, most_entries);
+}
+
+TableFile table_of_text(std::string_view rest, const std::string& shown, std::size_t most_entries) {
   Table table;
   int n_lines = 0;
-  std::string_view rest = content.text;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = trimmed(rest.substr(0, end));

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "mechanics/history/history.h"
 
@@ -16,6 +17,8 @@ struct TableFile {
   std::string problem;  // empty: the table was read
 };
 TableFile read_table_file(const std::filesystem::path& folder, const std::string& path, std::size_t most_entries);
+// The same of text at hand; shown: the name that messages show.
+TableFile table_of_text(std::string_view text, const std::string& shown, std::size_t most_entries);
 
 // What lies in a regular file of at most so many bytes, or why there is none.
 struct FileText {

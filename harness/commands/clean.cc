@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "cases/scene/printable.h"
 #include "harness/commands/bytes.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
@@ -16,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using State = StoredFile::State;
+
+constexpr std::size_t most_shown = 4096;  // [characters] of a path
 
 struct Total {
   int n = 0;
@@ -34,7 +37,7 @@ std::vector<Scene> known_scenes(const CleanOptions& options, const Catalogue& ca
         scenes.push_back(read_toml(file, catalogue.vocabulary(), profile));
     } catch (const CaseErrors&) {
       if (std::find(options.cases.begin(), options.cases.end(), file) != options.cases.end()) throw;
-      fmt::print(err, "{} is no valid case: its results are kept\n", file.string());
+      fmt::print(err, "{} is no valid case: its results are kept\n", printable(file.string(), most_shown));
     }
   return scenes;
 }
@@ -83,7 +86,7 @@ int remove_all(const std::vector<StoredFile>& files, std::ostream& err) {
     std::error_code error;
     fs::remove(file.path, error);
     if (!error) continue;
-    fmt::print(err, "{}: cannot be removed: {}\n", file.path.string(), error.message());
+    fmt::print(err, "{}: cannot be removed: {}\n", printable(file.path.string(), most_shown), error.message());
     ++n_failed;
   }
   return n_failed;
@@ -106,7 +109,9 @@ int clean_command(const CleanOptions& options, const Catalogue& catalogue, const
     if (why.empty()) continue;
     going.push_back(file);
     by_reason[why].add(file);
-    if (file.state == State::damaged) fmt::print(console.err, "damaged: {}: {}\n", file.path.string(), file.remark);
+    if (file.state == State::damaged)
+      fmt::print(console.err, "damaged: {}: {}\n", printable(file.path.string(), most_shown),
+                 printable(file.remark, most_shown));
   }
   print_kept_unknown(all, console.err);
   fmt::print(console.out, "{}\n", going.empty() ? "nothing goes" : options.yes ? "goes" : "would go");
@@ -118,7 +123,7 @@ int clean_command(const CleanOptions& options, const Catalogue& catalogue, const
   }
   const int n_failed = remove_all(going, console.err);
   Store(options.store).rebuild_results();
-  return n_failed == 0 ? 0 : 3;
+  return n_failed == 0 ? 0 : 2;
 }
 
 }  // namespace mb

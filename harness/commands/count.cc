@@ -4,6 +4,8 @@
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
 #include "harness/instruction_counter.h"
+#include "harness/study/estimate.h"
+#include "harness/study/memory.h"
 
 namespace mb {
 
@@ -16,11 +18,14 @@ constexpr double at_most = 3600;  // [s]
 int count_command(const CountOptions& options, const Catalogue& catalogue, const Console& console) {
   const auto file = find_case(options.case_name);
   const auto scene = std::make_shared<const Scene>(read_toml(file, catalogue.vocabulary(), options.profile));
+  const std::vector<CountedContender> contenders = counted_contenders(*scene);
+  for (const CountedContender& one : contenders)
+    require_memory(memory(*scene, Contender{one.method, one.integrator, own_meshes(*scene), one.settings}),
+                   available_memory());
   if (is_counting()) {
     count_contest(scene, catalogue);
     return 0;
   }
-  const std::vector<CountedContender> contenders = counted_contenders(*scene);
   const InstructionCounts counts = count_instructions(std::filesystem::read_symlink("/proc/self/exe"),
                                                       {"count", file.string(), "--profile", options.profile}, at_most);
   fmt::print(console.out, "{:<20}  {:>16}  {:>14}\n", "contender", "instructions", "simulated [s]");

@@ -60,7 +60,9 @@ const std::map<std::string, FormulaAndSource>& analyses() {
        {"largest h with spectral radius of the one-step amplification <= 1 + 1e-12; growth of runs against rho^n",
         "Hughes 1987, The Finite Element Method, ch. 9"}},
       {"stability-map",
-       {"E(t)/E(0) of free vibration over 1000 steps against rho(A(omega h, zeta)); error against the closed form",
+       {"E(t)/E(0) of free vibration over 1000 steps against rho(A(omega h, zeta)), or rho of one step of all modes "
+        "that "
+        "damping couples; error against the closed form",
         "Hughes 1987, The Finite Element Method, sect. 9.1.2"}},
       {"aliasing",
        {"RMS_frames(B x_high) / RMS_frames(x_low), x = x_low + x_high split at half the frame rate, B the shutter",
@@ -77,17 +79,19 @@ const std::map<std::string, FormulaAndSource>& analyses() {
         "Foss 1958, J. Appl. Mech. 25; mechanics/system/complex_modes.h"}},
       {"long-run", {"mean E at step n / mean E at the start - 1 ~ n^p over 10^6 steps of free vibration", ours}},
       {"multiplets",
-       {"largest singular value of Phi_a - Phi_b Phi_b^T M Phi_a, a by Lanczos iterations, b by a dense solver", ours}},
+       {"largest |Phi_a - Phi_b Phi_b^T M Phi_a|_M, and with a and b exchanged, a by Lanczos iterations, b by a dense "
+        "solver",
+        "Golub and Van Loan 2013, Matrix Computations, sect. 6.4.3"}},
       {"locking",
        {"|u_p - u| / |u| and f_p / f - 1 of elements of degree p at nu = 0.3 to 0.4999",
         "Hughes 1987, The Finite Element Method, ch. 4"}},
       {"contact-stability",
-       {"E(t)/E(0), F and J of an impact over step and k_n, against rho of one step with kappa = k_n pi a^2 at one "
-        "point",
+       {"1 + (E - E0)/(m v_n^2/2), F and J of an impact over step and k_n, against rho of one step with kappa = k_n pi "
+        "a^2 at one point",
         "harness/analysis/contact_stability.h"}},
       {"linearity",
        {"|v2 + v3| / |u|, K v2 = -f2(u), K v3 = -c3(u, v2): terms of the stored energy's force beyond K u",
-        "Idelsohn and Cardona 1985, Comput. Methods Appl. Mech. Engng 49; harness/analysis/linearity.cc"}},
+        "Idelsohn and Cardona 1985, Comput. Methods Appl. Mech. Engng 49; harness/analysis/beyond_linear.h"}},
       {"frequencies",
        {"f_i / f_i* - 1 on a row of meshes, f* as the case states them, the observed order and the "
         "grid convergence index",
@@ -98,6 +102,7 @@ const std::map<std::string, FormulaAndSource>& analyses() {
         "for "
         "real time",
         "Pentland and Williams 1989, Good Vibrations, whose machine had one; harness/instruction_counter.h"}},
+      {"aspect", {"|u_r - u|/|u| of 24 modes against adaptive steps, max E(t)/E(0), at aspects 1, 14 and 200", ours}},
       {"slenderness",
        {"|u_d - u| / |u| in the M norm, u_d: Ritz modes in polynomials of degree d, u: 96 modes and the static rest, "
         "at "

@@ -1,11 +1,15 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <new>
+#include <stdexcept>
 
 #include "cases/json/json.h"
 #include "cases/scene/nearest.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
+#include "harness/study/estimate.h"
+#include "harness/study/memory.h"
 #include "harness/study/truth.h"
 #include "modal/bases/eigenmodes.h"
 #include "modal/bases/participation.h"
@@ -51,6 +55,15 @@ Told told(const Scene& scene, const Body& body, const FullModel& full, const Mod
   MatrixXd shares = participation(Phi, Mr, body.material.density * full.mesh_volume());
   shares = shares.unaryExpr([](double share) { return share < 1e-12 ? 0 : share; });  // rounding
   return {modes, count, multiplicities(modes), polynomial_degrees(full, Phi), shares};
+}
+
+Told computed(const Scene& scene, const Body& body, int most) {
+  const auto full = full_model(scene, body, body.resolution, modes_of_a_mesh);
+  const System& system = full->system();
+  const Index n = system.u0.size(), n_rigid = system.R.cols();
+  const Index count = std::min<Index>(most, n);
+  const int n_elastic = static_cast<int>(std::max<Index>(0, count - n_rigid));
+  return told(scene, body, *full, lowest_modes(system, n_elastic, physical_shift(body)), count);
 }
 
 std::string degree_text(int degree) {
@@ -103,14 +116,15 @@ void print_json(const Scene& scene, const Body& body, const Told& all, std::ostr
 int modes_command(const ModesOptions& options, const Catalogue& catalogue, const Console& console) {
   const Scene scene = read_toml(find_case(options.case_name), catalogue.vocabulary());
   const Body& body = find_body(scene, options.body);
-  const auto full = full_model(scene, body, body.resolution, modes_of_a_mesh);
-  const System& system = full->system();
-  const Index n = system.u0.size(), n_rigid = system.R.cols();
-  const Index count = std::min<Index>(options.count, n);
-  const int n_elastic = static_cast<int>(std::max<Index>(0, count - n_rigid));
-  const Modes modes = lowest_modes(system, n_elastic, physical_shift(body));
-  const Told all = told(scene, body, *full, modes, count);
-  options.json ? print_json(scene, body, all, console.out) : print_table(all, console.out);
+  const double needed = memory_of_modes(scene, body, options.count);
+  require_memory(needed, available_memory());
+  try {
+    const Told all = computed(scene, body, options.count);
+    options.json ? print_json(scene, body, all, console.out) : print_table(all, console.out);
+  } catch (const std::bad_alloc& error) {
+    throw std::runtime_error(
+        fmt::format("{} modes of '{}': {}", options.count, body.name, failure_text(error, needed)));
+  }
   return 0;
 }
 

@@ -37,7 +37,7 @@ void write_new(const std::filesystem::path& file, const std::string& text) {
   const bool whole = n == static_cast<ssize_t>(text.size());
   if (::close(descriptor) == 0 && whole) return;
   ::unlink(file.c_str());
-  throw std::runtime_error(file.string() + " cannot be written: is the disk full?");
+  throw UsageError(file.string() + " cannot be written: is the disk full?");
 }
 
 }  // namespace

@@ -7,10 +7,13 @@
 #include <memory>
 #include <set>
 
+#include "cases/scene/printable.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
 #include "harness/commands/plan_table.h"
 #include "harness/study/current_records.h"
+#include "harness/study/estimate.h"
+#include "harness/study/memory.h"
 #include "harness/study/overrides.h"
 #include "harness/study/processes.h"
 #include "harness/study/run_case.h"
@@ -91,7 +94,8 @@ bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored,
                result.holds ? "holds"
                : open       ? "OPEN"
                             : "FAILS",
-               result.case_name, of, result.measured ? fmt::format("{:.4g}{}", result.value, bar) : result.status,
+               result.case_name, of,
+               result.measured ? fmt::format("{:.4g}{}", result.value, bar) : one_line(result.status, 1000),
                upper ? "at most" : "at least", upper ? *check.at_most : *check.at_least,
                open ? ": within the error bar, not decidable" : "");
     all = all && result.holds;
@@ -137,10 +141,23 @@ Outcome run_all(const Scenes& scenes, const Catalogue& catalogue, const Store& s
     } catch (const StoreError&) {
       throw;  // concerns every case
     } catch (const std::exception& error) {
-      fmt::print(console.err, "{} · failed: {}\n", scene->name, error.what());
+      fmt::print(console.err, "{} · failed: {}\n", scene->name, one_line(failure_text(error, memory(*scene)), 1000));
       ++outcome.n_failed;
     }
   return outcome;
+}
+
+// As many as the memory holds, were each at the dearest job.
+int n_processes(const Scene& scene, const std::vector<PlannedJob>& plan, std::optional<double> available, int most,
+                const Progress& progress) {
+  std::vector<double> needed;
+  for (const PlannedJob& one : plan)
+    if (!one.stored) needed.push_back(memory(scene, one.job) + memory_of_answers(scene));
+  const int n = processes_that_fit(most, needed, available);
+  if (n < most)
+    progress(fmt::format("{} · {} of {} processes: no more fit the memory, {:.3g} GB", scene.name, n, most,
+                         1e-9 * available.value_or(0)));
+  return n;
 }
 
 // Marks and tables by several processes; what they fail at is met again, and counted, by who calls. Computes nothing
@@ -158,9 +175,11 @@ void run_in_parallel(const Scenes& scenes, const Catalogue& catalogue, const Sto
     // Truths first, in a process of their own: threads that libraries start there would not survive a fork.
     const int code =
         in_processes(1, [&](int) { return truths(scene, catalogue, store, progress, interrupted) ? 0 : 130; });
-    if (code != 0) continue;  // the caller meets and names what failed
-    in_processes(n, [&](int i) {
-      shared.shard = options.shard.part(i, n);
+    if (code != 0) continue;             // the caller meets and names what failed
+    shared.memory = available_memory();  // asked once: what one process takes is no reason to refuse another's
+    const int n_now = n_processes(*scene, left, shared.memory, n, progress);
+    in_processes(n_now, [&](int i) {
+      shared.shard = options.shard.part(i, n_now);
       return run_all({scene}, catalogue, store, shared, console).n_failed > 0 ? 3 : 0;
     });
   }

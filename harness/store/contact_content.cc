@@ -18,15 +18,42 @@ MatrixXd sized(const Matrices& content, const std::string& key, Index rows, Inde
     throw std::runtime_error("'" + key + "' has a wrong size");
   return found->second.values;
 }
+MatrixXd finite(const Matrices& content, const std::string& key, Index rows, Index columns) {
+  MatrixXd values = sized(content, key, rows, columns);
+  if (!values.allFinite()) throw std::runtime_error("'" + key + "' is not finite");
+  return values;
+}
 
 // Touch i of times (start, end, peak) follows the one before it and ends after it starts; only the last one may last.
-// Forces are as they are: a run that blew up has some that are none.
 void require_touch(const MatrixXd& t, Index i) {
   const bool last = i + 1 == t.cols();
   if (!std::isfinite(t(0, i)) || !std::isfinite(t(2, i)) || !(t(1, i) >= t(0, i)) || (!last && !std::isfinite(t(1, i))))
     throw std::runtime_error("touch " + std::to_string(i) + " has times that are none");
   if (i > 0 && !(t(0, i) >= t(0, i - 1)))
     throw std::runtime_error("touch " + std::to_string(i) + " begins before the one before it");
+}
+
+// Throws std::invalid_argument where one is none.
+void add_touches(const std::string& key, const std::vector<Touch>& touches, Matrices& content) {
+  const auto n = static_cast<Index>(touches.size());
+  if (n == 0) return;
+  MatrixXd times(3, n), peaks(1, n), impulses(3, n);
+  for (Index i = 0; i < n; ++i) {
+    const Touch& touch = touches[static_cast<size_t>(i)];
+    times.col(i) << touch.start, touch.end, touch.peak_time;
+    peaks(0, i) = touch.peak_force;
+    impulses.col(i) = touch.impulse;
+    try {
+      require_touch(times, i);
+    } catch (const std::runtime_error& fault) {
+      throw std::invalid_argument("trajectory: " + std::string(fault.what()));
+    }
+  }
+  if (!peaks.allFinite() || !impulses.allFinite())
+    throw std::invalid_argument("trajectory: '" + key + "_touch_peaks' or '_touch_impulses' is not finite");
+  content[key + "_touch_times"] = {times, "s"};
+  content[key + "_touch_peaks"] = {peaks, "N"};
+  content[key + "_touch_impulses"] = {impulses, "N s"};
 }
 
 }  // namespace
@@ -45,35 +72,26 @@ Matrices contact_content(const std::string& key, const BodyTrajectory& body, Ind
                    {key + "_contact_energy", {energy, "J"}}};
   if (body.energy.size() > 0) content[key + "_energy"] = {body.energy.transpose(), "J"};
   if (body.momentum.size() > 0) content[key + "_momentum"] = {body.momentum, "kg m/s, kg m^2/s"};
-  const auto n = static_cast<Index>(touches.size());
-  if (n == 0) return content;
-  MatrixXd times(3, n), peaks(1, n), impulses(3, n);
-  for (Index i = 0; i < n; ++i) {
-    const Touch& touch = touches[static_cast<size_t>(i)];
-    times.col(i) << touch.start, touch.end, touch.peak_time;
-    peaks(0, i) = touch.peak_force;
-    impulses.col(i) = touch.impulse;
-  }
-  content[key + "_touch_times"] = {times, "s"};
-  content[key + "_touch_peaks"] = {peaks, "N"};
-  content[key + "_touch_impulses"] = {impulses, "N s"};
+  for (const auto& [name, matrix] : content)
+    if (!matrix.values.allFinite()) throw std::invalid_argument("trajectory: '" + name + "' is not finite");
+  add_touches(key, touches, content);
   return content;
 }
 
 void read_contact(const Matrices& content, const std::string& key, Index n_t, BodyTrajectory& body) {
   if (!content.contains(key + "_contact_force")) return;
-  body.contact.force = sized(content, key + "_contact_force", 3, n_t);
-  body.contact.impulse = sized(content, key + "_contact_impulse", 3, n_t);
-  const MatrixXd energy = sized(content, key + "_contact_energy", 2, n_t);
+  body.contact.force = finite(content, key + "_contact_force", 3, n_t);
+  body.contact.impulse = finite(content, key + "_contact_impulse", 3, n_t);
+  const MatrixXd energy = finite(content, key + "_contact_energy", 2, n_t);
   body.contact.stored = energy.row(0);
   body.contact.dissipated = energy.row(1);
-  if (content.contains(key + "_energy")) body.energy = sized(content, key + "_energy", 1, n_t).transpose();
-  if (content.contains(key + "_momentum")) body.momentum = sized(content, key + "_momentum", 6, n_t);
+  if (content.contains(key + "_energy")) body.energy = finite(content, key + "_energy", 1, n_t).transpose();
+  if (content.contains(key + "_momentum")) body.momentum = finite(content, key + "_momentum", 6, n_t);
   const auto times = content.find(key + "_touch_times");
   if (times == content.end()) return;
   const Index n = times->second.values.cols();
-  const MatrixXd t = sized(content, key + "_touch_times", 3, n), peaks = sized(content, key + "_touch_peaks", 1, n),
-                 impulses = sized(content, key + "_touch_impulses", 3, n);
+  const MatrixXd t = sized(content, key + "_touch_times", 3, n), peaks = finite(content, key + "_touch_peaks", 1, n),
+                 impulses = finite(content, key + "_touch_impulses", 3, n);
   for (Index i = 0; i < n; ++i) {
     require_touch(t, i);
     body.contact.touches.push_back({t(0, i), t(1, i), peaks(0, i), t(2, i), impulses.col(i)});

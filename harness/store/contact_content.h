@@ -11,11 +11,12 @@
 
 namespace mb {
 
-// Nothing of bodies without contact. key: "body0". Throws std::invalid_argument where sizes differ from n_t.
+// Nothing of bodies without contact. key: "body0". Throws std::invalid_argument where sizes differ from n_t, and where
+// a value is not finite but for the end of a last touch that lasts.
 std::map<std::string, Hdf5Matrix> contact_content(const std::string& key, const BodyTrajectory& body, Index n_t);
 
-// Into a body read from the same content; throws std::runtime_error where sizes do not fit or touches are not in
-// order of time.
+// Into a body read from the same content; throws std::runtime_error where sizes do not fit, values are not finite or
+// touches are not in order of time.
 void read_contact(const std::map<std::string, Hdf5Matrix>& content, const std::string& key, Index n_t,
                   BodyTrajectory& body);
 

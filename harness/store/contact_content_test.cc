@@ -123,7 +123,7 @@ TEST(ContactContent, DamagedContentIsRefused) {
       std::runtime_error);
 }
 
-// Files are untrusted: touches are times in order. Forces are what they are.
+// Files are untrusted: touches are times in order, forces are numbers.
 TEST(ContactContent, TouchesMustBeInOrder) {
   const auto altered = [](const std::string& key, Index row, Index column, double to) {
     Matrices content = contact_content("body0", example(), n_t);
@@ -137,9 +137,28 @@ TEST(ContactContent, TouchesMustBeInOrder) {
   EXPECT_THROW(read(altered("touch_times", 1, 0, infinity)), std::runtime_error);  // only the last one may last
   for (const double wrong : {nan, -infinity})
     for (const Index row : {0, 1, 2}) EXPECT_THROW(read(altered("touch_times", row, 1, wrong)), std::runtime_error);
-  // A run that blew up keeps what it came to.
-  EXPECT_TRUE(std::isnan(read(altered("touch_impulses", 2, 1, nan)).contact.touches[1].impulse.z()));
-  EXPECT_TRUE(std::isnan(read(altered("contact_force", 2, 1, nan)).contact.force(2, 1)));
+  for (const double wrong : {nan, infinity})
+    for (const char* key :
+         {"touch_impulses", "touch_peaks", "contact_force", "contact_impulse", "contact_energy", "energy", "momentum"})
+      EXPECT_THAT([&] { read(altered(key, 0, 1, wrong)); }, ThrowsMessage<std::runtime_error>(HasSubstr(key))) << key;
+}
+
+TEST(ContactContent, WhatIsNotFiniteIsNotWritten) {
+  for (const double wrong : {nan, infinity})
+    for (const auto& change : std::vector<std::function<void(BodyTrajectory&)>>{
+             [=](BodyTrajectory& b) { b.contact.force(2, 3) = wrong; },
+             [=](BodyTrajectory& b) { b.contact.impulse(0, 0) = wrong; },
+             [=](BodyTrajectory& b) { b.contact.stored[1] = wrong; },
+             [=](BodyTrajectory& b) { b.contact.dissipated[6] = wrong; },
+             [=](BodyTrajectory& b) { b.energy[2] = wrong; }, [=](BodyTrajectory& b) { b.momentum(5, 2) = wrong; },
+             [=](BodyTrajectory& b) { b.contact.touches[0].end = wrong; },  // only the last one may last
+             [=](BodyTrajectory& b) { b.contact.touches[1].start = wrong; },
+             [=](BodyTrajectory& b) { b.contact.touches[0].peak_force = wrong; },
+             [=](BodyTrajectory& b) { b.contact.touches[0].impulse.x() = wrong; }}) {
+      BodyTrajectory body = example();
+      change(body);
+      EXPECT_THROW(contact_content("body0", body, n_t), std::invalid_argument);
+    }
 }
 
 }  // namespace

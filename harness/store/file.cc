@@ -5,8 +5,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
+#include <random>
 #include <system_error>
+#include <utility>
 
 namespace mb {
 
@@ -65,28 +66,58 @@ void sync_folder(const std::filesystem::path& folder) {
   if (descriptor.open()) ::fsync(descriptor.get());
 }
 
+// With all that it lies in. A name that is new survives a power cut only with the folder that it stands in.
+void make_folder(const std::filesystem::path& folder, const std::filesystem::path& wanted_for) {
+  std::error_code error;
+  if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
+  const std::filesystem::path parent = folder.has_parent_path() ? folder.parent_path() : ".";
+  if (parent != folder) make_folder(parent, wanted_for);
+  std::filesystem::create_directory(folder, error);  // another process may have made it meanwhile
+  if (error) throw StoreError(wanted_for, "its folder cannot be made: " + error.message());
+  sync_folder(parent);
+}
+
+// A new file FILE.XXXXXX; -1 and the reason in errno where there can be none. Not mkostemp, whose files are the owner's
+// alone: a shared store has other readers, and who wants none says so by the umask.
+std::pair<int, std::string> open_beside(const std::filesystem::path& file) {
+  static constexpr char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+  std::random_device random;
+  for (int tries = 0; tries < 100; ++tries) {
+    std::string name = file.string() + ".";
+    for (int i = 0; i < 6; ++i) name += letters[random() % (sizeof letters - 1)];
+    const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd >= 0 || errno != EEXIST) return {fd, name};
+  }
+  return {-1, ""};
+}
+
 }  // namespace
 
 StoreError::StoreError(std::filesystem::path file, const std::string& fault)
     : std::runtime_error(file.string() + ": " + fault), file_(std::move(file)) {}
 
-void write_file(const std::filesystem::path& file, std::string_view content) {
+void write_file(const std::filesystem::path& file, std::string_view content,
+                const std::function<void()>& before_rename) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw StoreError(file, "its folder cannot be made: " + error.message());
-
-  std::string name = file.string() + ".XXXXXX";
-  Descriptor descriptor(::mkostemp(name.data(), O_CLOEXEC));
+  make_folder(folder, file);
+  auto [fd, name] = open_beside(file);
+  Descriptor descriptor(fd);
   if (!descriptor.open()) throw StoreError(file, "cannot be written: " + reason());
   Temporary temporary(name);
-  ::fchmod(descriptor.get(), 0644);  // mkostemp's 0600 would hide a shared store from its other readers
-  if (!write_all(descriptor.get(), content) || ::fsync(descriptor.get()) != 0 || !descriptor.close() ||
-      ::rename(name.c_str(), file.c_str()) != 0) {
+  if (!write_all(descriptor.get(), content) || ::fsync(descriptor.get()) != 0 || !descriptor.close())
     throw StoreError(file, "cannot be written: " + reason());
-  }
+  if (before_rename) before_rename();
+  if (::rename(name.c_str(), file.c_str()) != 0) throw StoreError(file, "cannot be written: " + reason());
   temporary.keep();
   sync_folder(folder);
+}
+
+void remove_file(const std::filesystem::path& file) {
+  if (::unlink(file.c_str()) != 0) {
+    if (errno == ENOENT || errno == ENOTDIR) return;
+    throw StoreError(file, "cannot be removed: " + reason());
+  }
+  sync_folder(file.has_parent_path() ? file.parent_path() : ".");
 }
 
 std::string read_file(const std::filesystem::path& file, std::uintmax_t max_size) {

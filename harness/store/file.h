@@ -1,10 +1,11 @@
 // Whole files in and out. A file is either the old one or the new one, never half of it:
 //
-//   write to FILE.XXXXXX in the same folder, fsync, rename over FILE, fsync the folder
+//   make the folder, fsync what it is in; write to FILE.XXXXXX there, fsync, rename over FILE, fsync the folder
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -21,9 +22,14 @@ class StoreError : public std::runtime_error {
   std::filesystem::path file_;
 };
 
-// Makes the folder where it is missing. Throws StoreError with the system's reason (disk full, read-only, ...); the old
-// file then stands untouched and no temporary one remains.
-void write_file(const std::filesystem::path& file, std::string_view content);
+// Makes the folder where it is missing; permissions are those that the umask leaves. Throws StoreError with the
+// system's reason (disk full, read-only, ...); the old file then stands untouched and no temporary one remains.
+// before_rename: what must be done before the new content stands, and only once all of it is on the disk.
+void write_file(const std::filesystem::path& file, std::string_view content,
+                const std::function<void()>& before_rename = {});
+
+// Gone for good when this returns; may be none. Throws StoreError.
+void remove_file(const std::filesystem::path& file);
 
 // Throws StoreError for what is no regular file or is larger than max_size [bytes], before anything is allocated.
 std::string read_file(const std::filesystem::path& file, std::uintmax_t max_size);

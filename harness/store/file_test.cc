@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,6 +50,39 @@ TEST(File, ContentComesBackFromAFolderThatIsMade) {
   write_file(folder / "deep/er/file", "");
   EXPECT_EQ(read_file(folder / "deep/er/file", 0), "");
   EXPECT_EQ(n_files(folder / "deep/er"), 1);  // no temporary file remains
+}
+
+TEST(File, TheUmaskSaysWhoMayRead) {
+  namespace fs = std::filesystem;
+  const ScratchFolder folder;
+  const mode_t before = ::umask(077);
+  write_file(folder / "mine/file", "x");
+  ::umask(022);
+  write_file(folder / "ours/file", "x");
+  ::umask(before);
+  EXPECT_EQ(fs::status(folder / "mine/file").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(fs::status(folder / "mine").permissions(), fs::perms::owner_all);
+  EXPECT_EQ(fs::status(folder / "ours/file").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read);
+}
+
+TEST(File, WhatMustBeDoneBeforeIsDoneOnceTheContentIsOnTheDisk) {
+  const ScratchFolder folder;
+  write_file(folder / "file", "old");
+  write_file(folder / "file", "new", [&] {
+    EXPECT_EQ(read_file(folder / "file", 9), "old");
+    EXPECT_EQ(n_files(folder.path()), 2);
+  });
+  EXPECT_EQ(read_file(folder / "file", 9), "new");
+  const auto fails = [] { throw StoreError("other", "cannot be removed"); };
+  EXPECT_THROW(write_file(folder / "file", "newer", fails), StoreError);
+  EXPECT_EQ(read_file(folder / "file", 9), "new");
+  EXPECT_EQ(n_files(folder.path()), 1);
+  remove_file(folder / "file");
+  remove_file(folder / "file");
+  EXPECT_EQ(n_files(folder.path()), 0);
+  std::filesystem::create_directory(folder / "folder");
+  EXPECT_THROW(remove_file(folder / "folder"), StoreError);
 }
 
 TEST(File, AFullDiskIsToldAndTheOldFileStands) {

@@ -10,10 +10,12 @@
 #include <cstring>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "harness/store/hdf5_dataset.h"
+#include "harness/store/hdf5_limits.h"
 #include "harness/store/hdf5_structures.h"
 #include "harness/store/hdf5_walk.h"
 
@@ -21,7 +23,6 @@ namespace mb {
 namespace {
 
 static_assert(std::endian::native == std::endian::little && sizeof(long) == sizeof(std::int64_t));
-constexpr std::size_t max_text = 4096, max_name = 64;                // [bytes]
 constexpr hsize_t chunk_elements = hdf5_max_chunk / sizeof(double);  // half of the library's chunk cache
 constexpr unsigned deflate = 1, max_stride = 64;                     // strides of the second shuffle, see the header
 const char* const failed = "HDF5 failed";
@@ -38,7 +39,10 @@ class Handle {
   Handle(hid_t id, herr_t (*close)(hid_t), const std::string& fault) : id_(id), close_(close) {
     if (id < 0) fail(fault);
   }
-  ~Handle() { close_(id_); }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
   operator hid_t() const { return id_; }
@@ -82,30 +86,29 @@ herr_t release(void* bytes, Operation operation, void* image) {
 
 // Files live in memory and close with all that was opened in them: damaged ones leave things open.
 Handle access_in_memory() {
-  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, failed);
   check(H5Pset_fapl_core(access, 4096, false), failed);
   check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), failed);
-  return Handle(access, H5Pclose, failed);
+  return access;
 }
 
 // Unique: two files in memory with the same name are one to the library. The owner lives as long as the file.
 std::string file_name(const void* owner) { return "memory-" + std::to_string(reinterpret_cast<std::uintptr_t>(owner)); }
 
 Handle text_type(std::size_t size) {
-  const hid_t type = H5Tcopy(H5T_C_S1);
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, failed);
   check(H5Tset_size(type, size), failed);
-  return Handle(type, H5Tclose, failed);
+  return type;
 }
 
 void write_attribute(hid_t of, const std::string& name, hid_t type, const void* value) {
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, failed);
   const Handle attribute(H5Acreate2(of, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                         "attribute '" + name + "' cannot be made");
-  check(H5Awrite(attribute, type, value), "attribute '" + name + "' cannot be written");
+                         "attribute " + quoted(name) + " cannot be made");
+  check(H5Awrite(attribute, type, value), "attribute " + quoted(name) + " cannot be written");
 }
 
 void write_text(hid_t of, const std::string& name, const std::string& text) {
-  if (text.empty() || text.size() > max_text) throw std::invalid_argument("text '" + name + "' has a wrong length");
   write_attribute(of, name, text_type(text.size()), text.data());
 }
 
@@ -124,15 +127,15 @@ void write_matrix(hid_t file, const std::string& name, const Hdf5Matrix& matrix,
     check(H5Pset_deflate(create, deflate), "HDF5 was built without deflate");
   }
   const Handle dataset(H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, create, H5P_DEFAULT),
-                       H5Dclose, "dataset '" + name + "' cannot be made");
+                       H5Dclose, "dataset " + quoted(name) + " cannot be made");
   check(H5Dwrite(dataset, H5T_IEEE_F64LE, H5S_ALL, H5S_ALL, H5P_DEFAULT, matrix.values.data()),
-        "dataset '" + name + "' cannot be written");
+        "dataset " + quoted(name) + " cannot be written");
   write_text(dataset, "unit", matrix.unit);
 }
 
 std::string read_text(hid_t attribute, hid_t type, const std::string& what) {
   const std::size_t size = H5Tget_size(type);
-  if (H5Tis_variable_str(type) != 0 || size == 0 || size > max_text) fail(what + " is no text of 1 to 4096 bytes");
+  if (H5Tis_variable_str(type) != 0 || size == 0 || size > hdf5_max_text) fail(what + " is no text of 1 to 4096 bytes");
   std::string text(size, '\0');
   check(H5Aread(attribute, text_type(size), text.data()), what + " cannot be read");
   return text.substr(0, text.find('\0'));
@@ -146,9 +149,9 @@ struct Attribute {
 Attribute read_attribute(hid_t of, hsize_t index) {
   const Handle attribute(H5Aopen_by_idx(of, ".", H5_INDEX_NAME, H5_ITER_INC, index, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                          "an attribute is damaged");
-  std::array<char, max_name + 1> name{};
+  std::array<char, hdf5_max_name + 1> name{};
   const ssize_t size = H5Aget_name(attribute, name.size(), name.data());
-  if (size <= 0 || size > static_cast<ssize_t>(max_name)) fail("an attribute has a name of a wrong length");
+  if (size <= 0 || size > static_cast<ssize_t>(hdf5_max_name)) fail("an attribute has a name of a wrong length");
   const std::string what = "attribute " + quoted(name.data());
   const Handle space(H5Aget_space(attribute), H5Sclose, what + " is damaged");
   if (H5Sget_simple_extent_type(space) != H5S_SCALAR) fail(what + " is not a single value");
@@ -163,7 +166,7 @@ Attribute read_attribute(hid_t of, hsize_t index) {
 std::vector<Attribute> read_attributes(hid_t of) {
   H5O_info_t object{};
   check(H5Oget_info2(of, &object, H5O_INFO_NUM_ATTRS), "an object is damaged");
-  if (object.num_attrs > static_cast<hsize_t>(hdf5_max_objects)) fail("an object has more than 512 attributes");
+  if (object.num_attrs > static_cast<hsize_t>(hdf5_max_objects)) fail("an object has more than 1024 attributes");
   std::vector<Attribute> attributes;
   for (hsize_t i = 0; i < object.num_attrs; ++i) attributes.push_back(read_attribute(of, i));
   return attributes;
@@ -173,13 +176,13 @@ std::vector<Attribute> read_attributes(hid_t of) {
 std::vector<std::string> dataset_names(hid_t file) {
   H5G_info_t group{};
   check(H5Gget_info(file, &group), "the root group is damaged");
-  if (group.nlinks > static_cast<hsize_t>(hdf5_max_objects)) fail("more than 512 objects");
+  if (group.nlinks > static_cast<hsize_t>(hdf5_max_objects)) fail("more than 1024 objects");
   std::vector<std::string> names;
-  std::array<char, max_name + 1> name{};
+  std::array<char, hdf5_max_name + 1> name{};
   for (hsize_t i = 0; i < group.nlinks; ++i) {
     const ssize_t size =
         H5Lget_name_by_idx(file, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(), H5P_DEFAULT);
-    if (size <= 0 || size > static_cast<ssize_t>(max_name)) fail("an object has a name of a wrong length");
+    if (size <= 0 || size > static_cast<ssize_t>(hdf5_max_name)) fail("an object has a name of a wrong length");
     const std::string what = "object " + quoted(name.data());
     H5O_info_t object{};
     check(H5Oget_info_by_name2(file, name.data(), &object, H5O_INFO_BASIC, H5P_DEFAULT), what + " is damaged");
@@ -188,8 +191,6 @@ std::vector<std::string> dataset_names(hid_t file) {
   }
   return names;
 }
-
-using Size = std::array<hsize_t, 2>;
 
 // At most `room` elements.
 Hdf5Matrix read_matrix(hid_t file, const std::string& name, Index room) {
@@ -242,6 +243,7 @@ std::string image_of(const Hdf5Content& content, unsigned stride) {
 }  // namespace
 
 std::string to_hdf5(const Hdf5Content& content) {
+  require_writable(content);
   quiet_and_closed();
   for (unsigned stride = 1; stride <= max_stride; ++stride) {
     const std::string bytes = image_of(content, stride);
@@ -273,6 +275,12 @@ Hdf5Content from_hdf5(std::string_view bytes) {
     content.matrices[name] = std::move(matrix);
   }
   return content;
+}
+
+Index open_hdf5_objects() {
+  const ssize_t n = H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL);
+  if (n < 0) fail(failed);
+  return n;
 }
 
 }  // namespace mb

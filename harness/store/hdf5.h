@@ -29,12 +29,14 @@ struct Hdf5Matrix {
 };
 struct Hdf5Content {
   std::map<std::string, long> counts;
-  std::map<std::string, std::string> texts;  // each of 1 to 4096 bytes
+  std::map<std::string, std::string> texts;
   std::map<std::string, Hdf5Matrix> matrices;
 };
 
-inline constexpr Index hdf5_max_objects = 512;              // datasets, and attributes of the root
-inline constexpr Index hdf5_max_elements = Index{1} << 26;  // of all matrices together: 512 MiB
+// For writing and reading alike: what is written can be read.
+inline constexpr Index hdf5_max_objects = 1024;                         // matrices; counts and texts together
+inline constexpr Index hdf5_max_elements = Index{1} << 26;              // of all matrices together: 512 MiB
+inline constexpr std::size_t hdf5_max_name = 64, hdf5_max_text = 4096;  // [byte] at least 1
 
 // Throws std::runtime_error where the library fails or names, counts or texts themselves hold such a signature,
 // std::invalid_argument beyond the limits above.
@@ -42,5 +44,9 @@ std::string to_hdf5(const Hdf5Content& content);
 
 // Throws std::runtime_error with one sentence that names the fault and, where there is one, the object.
 Hdf5Content from_hdf5(std::string_view bytes);
+
+// Files that the library holds open, and what is open in them: neither of the above leaves any behind. The library
+// closes forgotten ones at the program's end, so that no leak would tell.
+Index open_hdf5_objects();
 
 }  // namespace mb

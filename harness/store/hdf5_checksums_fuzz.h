@@ -1,8 +1,8 @@
 // Checksums of HDF5's own structures, set right in a file that was altered: without them nearly every alteration would
 // be refused at the first structure, and nothing behind it tried.
 //
-// HDF5 File Format Specification Version 3.0, sections II.A (superblock 2, 3) and IV.A.1.b (object header 2); the
-// checksum is Jenkins' lookup3, hashlittle() of 2006, public domain.
+// HDF5 File Format Specification Version 3.0, sections II.A (superblock 2, 3), IV.A.1.b (object header 2) and VII.C
+// (fixed array); the checksum is Jenkins' lookup3, hashlittle() of 2006, public domain.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mb {
 
@@ -39,6 +40,12 @@ inline std::uint32_t lookup3(std::string_view bytes) {
   return c;
 }
 
+struct Hdf5Message {
+  std::size_t header, at;    // places
+  std::size_t prefix, size;  // [byte] of what stands before its body, and of that
+  std::uint64_t type;
+};
+
 class Hdf5Checksums {
  public:
   explicit Hdf5Checksums(std::string& file) : file_(file) {}
@@ -46,6 +53,22 @@ class Hdf5Checksums {
   void set_right() {
     if (file_.size() >= 48) seal(0, 48);
     for (std::size_t at = file_.find("OHDR"); at != std::string::npos; at = file_.find("OHDR", at + 4)) header(at);
+    for (std::size_t at = file_.find("FAHD"); at != std::string::npos; at = file_.find("FAHD", at + 4)) array(at);
+  }
+
+  // Messages of the first chunk of each object header.
+  std::vector<Hdf5Message> messages() const {
+    std::vector<Hdf5Message> all;
+    for (std::size_t at = file_.find("OHDR"); at != std::string::npos; at = file_.find("OHDR", at + 4)) {
+      const Chunk chunk = chunk_of(at);
+      for (std::size_t i = chunk.begin; i + chunk.prefix <= chunk.end;) {
+        const std::size_t size = number(i + 1, 2);
+        if (size > chunk.end - i - chunk.prefix) break;
+        all.push_back({at, i, chunk.prefix, size, number(i, 1)});
+        i += chunk.prefix + size;
+      }
+    }
+    return all;
   }
 
  private:
@@ -62,17 +85,44 @@ class Hdf5Checksums {
     std::memcpy(file_.data() + at + size - 4, &sum, sizeof sum);
   }
 
-  void header(std::size_t at) {
-    const std::uint64_t flags = number(at + 5, 1);
+  struct Chunk {
+    std::size_t begin = 0, end = 0, prefix = 4;  // of its messages; empty where it reaches beyond the file
+  };
+  Chunk chunk_of(std::size_t header) const {
+    const std::uint64_t flags = number(header + 5, 1);
     const std::size_t width = std::size_t{1} << (flags & 3);
-    std::size_t first = at + 6;
+    std::size_t first = header + 6;
     if (flags & 0x20) first += 16;  // times
     if (flags & 0x10) first += 4;   // most attributes stored in the header
     const std::uint64_t size = number(first, width);
     first += width;
-    if (size > file_.size()) return;
-    continuations(first, first + size, flags & 4 ? 6 : 4, 8);
-    seal(at, first + size + 4 - at);
+    if (first > file_.size() || size > file_.size() - first) return {};
+    return {first, first + size, flags & 4 ? std::size_t{6} : std::size_t{4}};
+  }
+
+  void header(std::size_t at) {
+    const Chunk chunk = chunk_of(at);
+    if (chunk.end == 0) return;
+    continuations(chunk.begin, chunk.end, chunk.prefix, 8);
+    seal(at, chunk.end + 4 - at);
+  }
+
+  // Head, block and pages of an array of chunks.
+  void array(std::size_t at) {
+    const std::uint64_t width = number(at + 6, 1), bits = number(at + 7, 1), n = number(at + 8, 8);
+    std::uint64_t block = number(at + 16, 8);
+    seal(at, 28);
+    if (width == 0 || bits > 31 || n > file_.size() / width || block > file_.size()) return;
+    const std::uint64_t per_page = std::uint64_t{1} << bits, n_pages = n > per_page ? (n + per_page - 1) / per_page : 0;
+    if (n_pages == 0) return seal(block, 14 + n * width + 4);
+    const std::uint64_t prefix = 14 + (n_pages + 7) / 8 + 4;
+    seal(block, prefix);
+    block += prefix;
+    for (std::uint64_t done = 0; done < n; done += per_page) {
+      const std::uint64_t size = std::min(per_page, n - done) * width + 4;
+      seal(block, size);
+      block += size;
+    }
   }
 
   // Messages of [at, end): a continuation (type 16) names another chunk of them, with a checksum of its own.
@@ -90,5 +140,18 @@ class Hdf5Checksums {
 
   std::string& file_;
 };
+
+// The file with a message moved to a continuation of its header, behind all else, where `chunk` stands instead of it;
+// checksums are right. As it is where the message is too small to name a place.
+inline std::string continued(std::string file, const Hdf5Message& message, const std::string& chunk) {
+  if (message.size < 16 || message.at + message.prefix + message.size > file.size() || file.size() < 48) return file;
+  const std::uint64_t place[2] = {file.size(), chunk.size() + 8}, end = file.size() + chunk.size() + 8;
+  file[message.at] = 16, file[message.at + 3] = 0;
+  std::memcpy(file.data() + message.at + message.prefix, place, sizeof place);
+  std::memcpy(file.data() + 28, &end, sizeof end);  // end of file, in the superblock
+  file += "OCHK" + chunk + std::string(4, '\0');
+  Hdf5Checksums(file).set_right();
+  return file;
+}
 
 }  // namespace mb

@@ -32,9 +32,9 @@ class Hdf5Cursor {
 // Throws std::runtime_error where the message is of another kind than stated here.
 std::vector<std::uint64_t> sizes_of_dataspace(std::string_view message);  // largest ones, of at most three dimensions
 std::uint64_t size_of_datatype(std::string_view message);                 // [byte]; plain integers, floats and texts
-bool has_deflate(std::string_view message);  // of filters: shuffle, and at most once, as the last, deflate
+bool has_deflate(std::string_view message);  // of one or more filters: shuffle, and at most once, as the last, deflate
 void check_group_info(std::string_view message);
-void check_fill_value(std::string_view message);  // version 3
+void check_fill_value(std::string_view message);  // version 3, and none: the library copies by the size of its own
 void check_attribute(std::string_view message);   // its type and space, too
 // Link info and attribute info: everything stands in the header itself, in no heap. Size of the largest index [byte].
 void check_no_heap(std::string_view message, std::size_t size_of_largest);

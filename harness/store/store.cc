@@ -6,6 +6,7 @@
 #include "cases/json/finding_json.h"
 #include "harness/store/file.h"
 #include "harness/store/hash.h"
+#include "harness/store/run_file.h"
 #include "harness/store/seal.h"
 
 namespace mb {
@@ -19,8 +20,6 @@ std::string lines_of(const std::vector<Record>& records) {
 }
 
 constexpr std::uintmax_t largest = 1 << 28;  // [bytes] of the records or findings of one run
-
-std::string read_sealed(const std::filesystem::path& path) { return unsealed(read_file(path, largest)); }
 
 // The files of runs in the folder, sorted; temporary files of a run that was interrupted have other endings.
 std::vector<std::filesystem::path> files_of_runs(const std::filesystem::path& folder, const char* ending) {
@@ -37,36 +36,18 @@ std::vector<std::filesystem::path> files_of_runs(const std::filesystem::path& fo
   return files;
 }
 
-// Marks or times of one run. There may be no times; a run without marks is one whose writing went wrong.
 RecordLines records_of(const std::filesystem::path& path) {
-  RecordLines lines;
   try {
-    lines = read_records(read_sealed(path), path);
-  } catch (const std::runtime_error& fault) {
+    return records_in(read_file(path, largest), path);
+  } catch (const StoreError& fault) {
     return {{}, {{path, 0, fault.what()}}};
   }
-  const bool is_empty = lines.records.empty() && lines.refused.empty();
-  if (is_empty && path.parent_path().filename() == "records") lines.refused.push_back({path, 0, "holds no record"});
-  const auto n_strangers = std::erase_if(lines.records, [&](const Record& r) { return r.run != path.stem(); });
-  lines.refused.insert(lines.refused.begin(), n_strangers, {path, 0, "holds a record of another run"});
-  return lines;
-}
-
-std::vector<Finding> findings_of(const std::filesystem::path& path) {
-  const Json list = parse_json(read_sealed(path));
-  if (!list.is_array()) throw std::runtime_error("holds no list of findings");
-  std::vector<Finding> findings;
-  for (const Json& entry : list) {
-    findings.push_back(finding_from_json(entry));
-    if (findings.back().run != path.stem()) throw std::runtime_error("holds a finding of another analysis");
-  }
-  return findings;
 }
 
 Store::Findings read_findings(const std::vector<std::filesystem::path>& files) {
   Store::Findings all;
   for (const std::filesystem::path& path : files) try {
-      std::ranges::move(findings_of(path), std::back_inserter(all.findings));
+      std::ranges::move(findings_in(read_file(path, largest), path), std::back_inserter(all.findings));
     } catch (const std::exception& error) {
       all.refused.push_back({path, 0, error.what()});
     }
@@ -110,9 +91,9 @@ void Store::write_records(const std::string& hash, const std::vector<Record>& re
   if (!std::ranges::all_of(records, [&](const Record& record) { return record.run == hash; })) {
     throw std::invalid_argument("store: a record of another run");
   }
-  write_file(file("records", hash, ".jsonl"), sealed(lines_of(records)));
-  std::error_code none;
-  std::filesystem::remove(file("timings", hash, ".jsonl"), none);  // other marks: the old times are not theirs
+  // Other marks: the old times are not theirs, and never stand beside them, whenever this is ended.
+  write_file(file("records", hash, ".jsonl"), sealed(lines_of(records)),
+             [&] { remove_file(file("timings", hash, ".jsonl")); });
 }
 
 bool Store::has_times(const std::string& hash) const {

@@ -1,8 +1,10 @@
 // What has been computed, kept by content: a run is named by the hash of all that determines it.
 //
-//   STORE/trajectories/<hash>.h5   answers of contenders        STORE/records/<hash>.jsonl   the marks of one run
+//   STORE/trajectories/<hash>.h5   answers, of finite runs      STORE/records/<hash>.jsonl   the marks of one run
 //   STORE/truth/<hash>.h5          answers of the truth         STORE/timings/<hash>.jsonl   the times of one run
 //   STORE/findings/<hash>.json     tables of one analysis       STORE/results.jsonl          all marks, rebuilt
+//
+// Runs that failed or were unstable have records, and no trajectory: no file holds a number that is not finite.
 //
 // Records, times and findings end in a line with the checksum of what stands before it (seal.h), .h5 files hold one;
 // results.jsonl is for others to read, this program never does.

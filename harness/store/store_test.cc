@@ -107,9 +107,19 @@ TEST(Store, MarksThatCannotBeWrittenLeaveTheTimesAlone) {
   const ScratchFolder folder;
   const Store store(folder / "results");
   store.write_times(low, {record(low, 1e-3)});
-  std::filesystem::create_directories(folder / ("results/records/" + low + ".jsonl/in the way"));
+  write_file(folder / "results/records", "a file in the place of the folder");
   EXPECT_THROW(store.write_records(low, {record(low, 1)}), StoreError);
   EXPECT_TRUE(store.has_times(low));
+}
+
+// A process that ends between the two steps, as one whose last step fails: never old times beside new marks.
+TEST(Store, TimesGoBeforeTheMarksThatReplaceTheirs) {
+  const ScratchFolder folder;
+  const Store store(folder / "results");
+  store.write_times(low, {record(low, 1e-3)});
+  std::filesystem::create_directories(folder / ("results/records/" + low + ".jsonl/in the way"));
+  EXPECT_THROW(store.write_records(low, {record(low, 1)}), StoreError);
+  EXPECT_FALSE(store.has_times(low));
 }
 
 TEST(Store, ARunWithoutRecordsIsNamed) {

@@ -5,6 +5,7 @@
 
 #include "harness/store/contact_content.h"
 #include "harness/store/hash.h"
+#include "harness/store/hdf5_limits.h"
 #include "harness/store/low_rank.h"
 
 namespace mb {
@@ -45,25 +46,67 @@ Status status_from(const std::string& text) {
   throw std::runtime_error("its status is unknown");
 }
 
-// values x n_t; 0 x 0 where nothing is stored under the key.
-MatrixXd values_of(const Matrices& matrices, const std::string& key, Index n_t, Index per_point) {
-  MatrixXd values;
-  if (const auto plain = matrices.find(key); plain != matrices.end()) {
-    values = plain->second.values;
-  } else if (matrices.contains(key + "_shapes")) {
-    const MatrixXd& shapes = find(matrices, key + "_shapes").values;
-    const MatrixXd& amplitudes = find(matrices, key + "_amplitudes").values;
-    if (shapes.cols() != amplitudes.rows()) throw std::runtime_error("'" + key + "' has factors of different rank");
-    if (shapes.rows() > hdf5_max_elements / std::max<Index>(1, amplitudes.cols())) {
-      throw std::runtime_error("'" + key + "' is larger than 512 MiB");
-    }
-    values = shapes * amplitudes;
-  } else {
-    return {};
+// Throws std::invalid_argument with the first time at which something is no number.
+void require_finite(const MatrixXd& values, const VectorXd& t, long body, const char* what) {
+  for (Index k = 0; k < values.cols(); ++k)
+    if (!values.col(k).allFinite())
+      throw std::invalid_argument("trajectory: the " + std::string(what) + " of body " + std::to_string(body) +
+                                  " is not finite at t = " + std::to_string(t[k]) + " s");
+}
+
+bool ascends(const VectorXd& t) {
+  return t.size() < 2 || (t.tail(t.size() - 1).array() > t.head(t.size() - 1).array()).all();
+}
+
+Index n_contact_values(const BodyTrajectory& body) {
+  const auto& [force, impulse, stored, dissipated, touches] = body.contact;
+  constexpr Index per_touch = 7;  // start, end, peak and its time, impulse
+  return force.size() + impulse.size() + stored.size() + dissipated.size() + body.energy.size() + body.momentum.size() +
+         per_touch * static_cast<Index>(touches.size());
+}
+
+// How many more values may be read.
+class Room {
+ public:
+  void take(Index n) {
+    if (n > left_) throw std::runtime_error("holds more than 512 MiB of values");
+    left_ -= n;
   }
-  if (values.cols() != n_t || values.rows() % per_point != 0)
-    throw std::runtime_error("'" + key + "' has a wrong size");
+  void take(Index rows, Index cols) {  // whose product may be too large for a number
+    if (cols > 0 && rows > left_ / cols) take(left_ + 1);
+    take(rows * cols);
+  }
+
+ private:
+  Index left_ = hdf5_max_elements;
+};
+
+// values x n_t, finite; 0 x 0 where nothing is stored under the key.
+MatrixXd values_of(const Matrices& matrices, const std::string& key, Index n_t, Index per_point, Room& room) {
+  const auto plain = matrices.find(key);
+  const bool factors = plain == matrices.end();
+  if (factors && !matrices.contains(key + "_shapes")) return {};
+  const MatrixXd& left = factors ? find(matrices, key + "_shapes").values : plain->second.values;
+  const MatrixXd& right = factors ? find(matrices, key + "_amplitudes").values : left;
+  if (factors && left.cols() != right.rows()) throw std::runtime_error("'" + key + "' has factors of different rank");
+  if (right.cols() != n_t || left.rows() % per_point != 0) throw std::runtime_error("'" + key + "' has a wrong size");
+  room.take(left.rows(), right.cols());
+  MatrixXd values = factors ? MatrixXd(left * right) : left;
+  if (!values.allFinite()) throw std::runtime_error("'" + key + "' is not finite");
   return values;
+}
+
+// Throws std::invalid_argument where it is none that is read again.
+void require_readable(const Trajectory& trajectory) {
+  if (trajectory.bodies.size() > static_cast<std::size_t>(max_bodies))
+    throw std::invalid_argument("trajectory: more than " + std::to_string(max_bodies) + " bodies");
+  try {
+    require_few_values(n_values(trajectory));
+  } catch (const std::invalid_argument& many) {
+    throw std::invalid_argument("trajectory: " + std::string(many.what()));
+  }
+  if (!trajectory.t.allFinite()) throw std::invalid_argument("trajectory: its times are not finite");
+  if (!ascends(trajectory.t)) throw std::invalid_argument("trajectory: its times do not ascend");
 }
 
 }  // namespace
@@ -83,7 +126,15 @@ std::string checksum_of(const Hdf5Content& content) {
   return content_hash(all);
 }
 
+Index n_values(const Trajectory& trajectory) {
+  Index n = trajectory.t.size();
+  for (const BodyTrajectory& body : trajectory.bodies)
+    n += body.displacement.size() + body.strain.size() + n_contact_values(body);
+  return n;
+}
+
 Hdf5Content content_of(const Trajectory& trajectory) {
+  require_readable(trajectory);
   const Index n_t = trajectory.t.size();
   const Work& work = trajectory.work;
   Hdf5Content content;
@@ -102,6 +153,8 @@ Hdf5Content content_of(const Trajectory& trajectory) {
         (strain.cols() != n_t && strain.cols() != 0)) {
       throw std::invalid_argument("trajectory: sizes of displacement and strain do not agree with its times");
     }
+    require_finite(displacement, trajectory.t, static_cast<long>(k), "displacement");
+    require_finite(strain, trajectory.t, static_cast<long>(k), "strain");
     content.matrices.merge(as_stored(body_key(static_cast<long>(k), "displacement"), displacement, "m"));
     if (strain.size() > 0) content.matrices.merge(as_stored(body_key(static_cast<long>(k), "strain"), strain, "-"));
     content.matrices.merge(contact_content("body" + std::to_string(k), trajectory.bodies[k], n_t));
@@ -124,22 +177,24 @@ Trajectory trajectory_of(const Hdf5Content& content) {
   Trajectory trajectory;
   const MatrixXd& t = find(content.matrices, "t").values;
   if (t.cols() != 1) throw std::runtime_error("'t' has a wrong size");
+  if (!t.allFinite()) throw std::runtime_error("'t' is not finite");
   trajectory.t = t.col(0);
+  if (!ascends(trajectory.t)) throw std::runtime_error("'t' does not ascend");
   trajectory.status = status_from(find(content.texts, "status"));
   trajectory.work = {.steps = count("steps", any),
                      .rejected = count("rejected", any),
                      .factorisations = count("factorisations", any),
                      .solves = count("solves", any),
                      .load_evaluations = count("load_evaluations", any)};
-  Index room = hdf5_max_elements;
+  Room room;
+  room.take(t.size());
   for (long k = 0, n = count("bodies", max_bodies); k < n; ++k) {
     find(content.matrices, content.matrices.contains(body_key(k, "displacement")) ? body_key(k, "displacement")
                                                                                   : body_key(k, "displacement_shapes"));
-    trajectory.bodies.push_back({values_of(content.matrices, body_key(k, "displacement"), t.rows(), 3),
-                                 values_of(content.matrices, body_key(k, "strain"), t.rows(), 6)});
+    trajectory.bodies.push_back({values_of(content.matrices, body_key(k, "displacement"), t.rows(), 3, room),
+                                 values_of(content.matrices, body_key(k, "strain"), t.rows(), 6, room)});
     read_contact(content.matrices, "body" + std::to_string(k), t.rows(), trajectory.bodies.back());
-    room -= trajectory.bodies.back().displacement.size() + trajectory.bodies.back().strain.size();
-    if (room < 0) throw std::runtime_error("holds more than 512 MiB of values");
+    room.take(n_contact_values(trajectory.bodies.back()));
   }
   return trajectory;
 }

@@ -14,11 +14,15 @@ inline constexpr double trajectory_tolerance = 1e-12;  // [-] of the largest sin
 // Of all but the text `checksum`: names, units, sizes, values to the last bit. It finds damage, it stops no forger.
 std::string checksum_of(const Hdf5Content& content);
 
-// Throws std::invalid_argument where sizes do not agree.
+// All that a trajectory holds, times, displacements, strains and contact: what is written as factors counts whole.
+Index n_values(const Trajectory& trajectory);
+
+// Throws std::invalid_argument where there are more than hdf5_max_elements values or 64 bodies, sizes do not agree,
+// times do not ascend or a number is not finite, but for the end of a touch that lasts.
 Hdf5Content content_of(const Trajectory& trajectory);
 
-// Throws std::runtime_error with one sentence that names the fault. The content may come from anywhere, its checksum
-// with it.
+// Throws std::runtime_error with one sentence that names the fault, at least where content_of throws: what it makes is
+// read. The content may come from anywhere, its checksum with it.
 Trajectory trajectory_of(const Hdf5Content& content);
 
 }  // namespace mb

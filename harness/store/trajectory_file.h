@@ -15,12 +15,13 @@
 
 namespace mb {
 
-// Values that are not finite are kept as they are. Throws StoreError where the file cannot be written, and
-// std::invalid_argument where sizes do not agree: columns of displacement and strain are times (strain may have none).
+// Throws StoreError where the file cannot be written, and std::invalid_argument where a value is not finite, naming it
+// and its time, or where sizes do not agree: columns of displacement and strain are times (strain may have none). So it
+// does where times do not ascend and where there is more than is read again (trajectory_content.h).
 void write_trajectory(const std::filesystem::path& file, const Trajectory& trajectory);
 
-// Throws StoreError naming file and fault: truncated, altered, another schema, too large (512 MiB of values at most),
-// or anything else that write_trajectory does not write. The file may come from anywhere.
+// Throws StoreError naming file and fault: truncated, altered, another schema, values that are not finite or too many
+// (512 MiB at most), or anything else that write_trajectory does not write. The file may come from anywhere.
 Trajectory read_trajectory(const std::filesystem::path& file);
 
 }  // namespace mb

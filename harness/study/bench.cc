@@ -43,9 +43,10 @@ ReadyContender Bench::prepare(const Contender& contender) {
   const Model& mesh = model(contender.resolution);
   const Method& method = catalogue_.method(contender.method);
   const Integrator& integrator = catalogue_.integrator(contender.integrator);
-  ReadyContender ready{nullptr, assembly_, 0};
+  ReadyContender ready{nullptr, assembly_, 0, nullptr};
   if (const auto* linear = dynamic_cast<const LinearMethod*>(&method)) {
     const Basis& shared = basis(*linear, contender.settings, mesh);
+    ready.reduction = shared.reduction;
     ready.preparation = shared.time + seconds([&] {
                           ready.prepared =
                               prepare_linear(shared.reduction, integrator, contender.settings, scene_->duration);

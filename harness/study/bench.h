@@ -16,7 +16,8 @@ namespace mb {
 
 struct ReadyContender {
   std::unique_ptr<Prepared> prepared;
-  double assembly, preparation;  // [s] one run each
+  double assembly, preparation;                // [s] one run each
+  std::shared_ptr<const Reduction> reduction;  // of methods that reduce, else none
 };
 
 inline constexpr double cheap = 0.05;  // [s] runs below are timed with repeats at once

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "cases/scene/resolution.h"
-#include "harness/study/plan.h"
 
 namespace mb {
 
@@ -159,10 +158,19 @@ Estimate estimate(const Scene& scene, const Catalogue& catalogue) { return CaseE
 namespace {
 
 constexpr double program = 256 << 20;  // [byte]
+constexpr double most_dense = 6000;    // unknowns that dense solvers take
+constexpr double few_modes = 24;       // [-] at most, of methods without a mode count: quadratic strain
 
-double of_mesh(const Scene& scene, const Resolution& resolution) {
-  const Mesh mesh = mesh_of(scene, resolution);
-  return mesh.n * (300 * std::pow(mesh.degree + 2, 3) + 25 * mesh.front);
+double of_mesh(const Mesh& mesh) { return mesh.n * (300 * std::pow(mesh.degree + 2, 3) + 25 * mesh.front); }
+
+// K, M, the matrix reduced by the factor of M, its eigenvectors, and these once more without their rigid part.
+double of_all_modes(double n) { return 7 * 8 * std::pow(std::min(n, most_dense), 2); }
+
+// 3 (r + spare) + 16 blocks of vectors and as many images under M, then r modes (modal/bases/shift_invert.cc); the last
+// of so few unknowns that these would span the system are found by a dense solver.
+double of_modes(double n, double r) {
+  r = std::min(r, n);
+  return 3 * r > n || n < 2 * r + 184 ? of_all_modes(n) : 8 * n * (7 * r + 400);
 }
 
 double of_answer(const Scene& scene) {
@@ -170,15 +178,56 @@ double of_answer(const Scene& scene) {
   return values * static_cast<double>(scene.bodies.size()) * static_cast<double>(sample_times(scene).size());
 }
 
+double of_states(const Scene& scene, double n_unknowns) {
+  return 4 * 8 * n_unknowns * static_cast<double>(sample_times(scene).size());
+}
+
+// Body by body: each has modes of its own. Full order keeps what it evaluates alone.
+double of_basis(const Scene& scene, const Contender& contender) {
+  if (is_full_order(contender)) return 0;
+  const bool full = contender.method == "full";
+  const double r = contender.settings.modes > 0 ? contender.settings.modes : few_modes;
+  double sum = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    const double n = n_dofs(body.shape, of_body(contender.resolution, i), body.theory);
+    const double modes = !full ? of_modes(n, r) : contender.integrator == "exact" ? of_all_modes(n) : 0;
+    sum += modes + of_states(scene, full ? n : std::min(n, r));
+  }
+  return sum;
+}
+
 }  // namespace
 
 double memory(const Scene& scene) {
-  std::array<double, 3> meshes{of_mesh(scene, scene.truth.finer), of_mesh(scene, scene.truth.coarser),
-                               of_mesh(scene, own_meshes(scene))};
+  std::array<double, 3> meshes{of_mesh(mesh_of(scene, scene.truth.finer)), of_mesh(mesh_of(scene, scene.truth.coarser)),
+                               of_mesh(mesh_of(scene, own_meshes(scene)))};
   std::ranges::sort(meshes, std::greater());
-  return meshes[0] + meshes[1] + 5 * of_answer(scene) + program;
+  return meshes[0] + meshes[1] + memory_of_answers(scene) + program;
 }
 
-double memory(const Scene& scene, const Resolution& mesh) { return of_mesh(scene, mesh) + of_answer(scene) + program; }
+double memory_of_answers(const Scene& scene) { return 5 * of_answer(scene); }
+
+double memory(const Scene& scene, const Resolution& mesh) {
+  return of_mesh(mesh_of(scene, mesh)) + of_answer(scene) + program;
+}
+
+double memory(const Scene& scene, const Contender& contender) {
+  return memory(scene, contender.resolution) + of_basis(scene, contender);
+}
+
+double memory_of_modes(const Scene& scene, const Body& body, double n_modes) {
+  Scene alone = scene;
+  alone.bodies = {body};
+  const Mesh mesh = mesh_of(alone, body.resolution);
+  return of_mesh(mesh) + of_modes(mesh.n, n_modes) + program;
+}
+
+double memory(const Scene& scene, const Job& job) {
+  if (job.kind == Job::Kind::marks) return memory(scene, job.contender);
+  Contender widest{"eigenmodes", "exact", own_meshes(scene), {}};
+  for (const int r : scene.study.modes) widest.settings.modes = std::max(widest.settings.modes, r);
+  return memory(scene, widest) + memory_of_answers(scene);
+}
 
 }  // namespace mb

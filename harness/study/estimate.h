@@ -16,6 +16,7 @@
 #pragma once
 
 #include "harness/catalogue.h"
+#include "harness/study/plan.h"
 
 namespace mb {
 
@@ -28,11 +29,21 @@ Estimate estimate(const Scene& scene, const Catalogue& catalogue);
 // [byte] of memory at the peak, likewise before anything is allocated:
 //
 //   a mesh      n (300 (p + 2)^3 + 25 f) B    matrices and what they are made of; factors
-//   two truths  the dearest mesh and the next, computed at a time
-//   answers     5 truths, 8 B (3 points + 6 strained points) samples of each body; and 256 MiB
+//   r modes     8 n (7 r + 400) B             Lanczos vectors and their images, the modes, what the gate makes of them
+//   all modes   56 n^2 B                      a dense solver: of more than a third of all, or the closed form of `full`
+//   states      32 k B a sample               of k unknowns: u, v and theirs in modes
+//   answers     8 B (3 points + 6 strained points) samples of each body; and 256 MiB
+//   two truths  the dearest mesh and the next, computed at a time, and 5 answers
 //
-// Within a third of what cylinders of 7,500 to 67,000 degrees of freedom took, p = 2 to 4.
-double memory(const Scene& scene);
-double memory(const Scene& scene, const Resolution& mesh);  // of one mesh and one answer
+// Meshes: within a third of what cylinders of 7,500 to 67,000 degrees of freedom took, p = 2 to 4. Modes: counted, as
+// allocated at once.
+double memory(const Scene& scene);                                             // of the truths
+double memory_of_answers(const Scene& scene);                                  // theirs alone, once they are there
+double memory(const Scene& scene, const Resolution& mesh);                     // of one mesh and one answer
+double memory(const Scene& scene, const Contender& contender);                 // that, with its modes and states
+double memory_of_modes(const Scene& scene, const Body& body, double n_modes);  // of one body's mesh, and modes of it
+// Likewise of a contender's marks; or of an analysis, on the case's own meshes with the largest mode count of the study
+// and with every truth once more: meshes that it makes for itself are not foreseen.
+double memory(const Scene& scene, const Job& job);
 
 }  // namespace mb

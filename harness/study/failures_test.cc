@@ -69,6 +69,18 @@ TEST(FailureCases, AnAnalysisThatThrowsTakesNoOtherWithIt) {
               HasSubstr("0 runs done, 6 found in results, 1 failed; a failure that is stored stays until --again"));
 }
 
+// Two microseconds without a value lie between all times at which a case's formula is looked at. The closed form, which
+// looks closer where a load bends, meets them.
+TEST(FailureCases, APoleThatNoSearchFoundFailsTheRunThatMeetsIt) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml",
+          small_case("0.5", R"({ kind = "expression", formula = 'sqrt(abs(t - 0.0123456) - 1e-6)' })"));
+  EXPECT_EQ(modalbench(scratch.path(), {"check", "case.toml"}).code, 0);
+  const Said said = modalbench(scratch.path(), {"run", "case.toml", "--untimed"});
+  EXPECT_EQ(said.code, 3);
+  EXPECT_THAT(said.err, HasSubstr("is not finite at t = 0.01234"));
+}
+
 TEST(FailureCases, ATruthThatFailsLeavesARecordUntilItSucceeds) {
   const ScratchFolder scratch;
   fs::create_directory(scratch / "cases");

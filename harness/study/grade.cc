@@ -75,8 +75,12 @@ std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) 
       record.value = mark.value;
       record.status = mark.status;
       record.work = answer.work;
-      if (const auto bar = bars_.find({i, kind}); bar != bars_.end() && std::isfinite(bar->second))
-        record.error_bar = bar->second;
+      if (const auto bar = bars_.find({i, kind}); bar != bars_.end()) {
+        if (std::isfinite(bar->second))
+          record.error_bar = bar->second;
+        else if (record.status == "ok")  // a number of which nobody can say how uncertain it is
+          record.status = "undefined: the truth's neighbour has no such number";
+      }
       records.push_back(std::move(record));
     }
   return records;

@@ -6,8 +6,15 @@
 
 namespace mb {
 
-// work(i) for i = 1 ... n, each in a process of its own, forked from here; what it returns is its exit code. Waits for
-// all and returns the largest code; a process that ends by a signal counts as 3. No other thread may run meanwhile.
+inline constexpr int most_processes = 256;
+
+// work(i) for i = 1 ... n <= most_processes, each in a process of its own, forked from here; what it returns is its
+// exit code. Waits for all and returns the largest code; a process that ends by a signal counts as 3. No other thread
+// may run meanwhile. None outlives its parent, however that ends: the kernel kills it (PR_SET_PDEATHSIG). SIGINT,
+// SIGTERM and SIGHUP wait while one is made, so that none misses a signal passed on.
 int in_processes(int n, const std::function<int(int)>& work);
+
+// Passes a signal on to all that run now. May be called by a signal handler.
+void signal_processes(int signal);
 
 }  // namespace mb

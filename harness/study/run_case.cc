@@ -6,7 +6,8 @@
 #include <limits>
 #include <set>
 
-#include "harness/analysis/analysis.h"
+#include "cases/scene/printable.h"
+#include "harness/analysis/told.h"
 #include "harness/provenance.h"
 #include "harness/study/bench.h"
 #include "harness/study/current_records.h"
@@ -14,21 +15,33 @@
 #include "harness/study/front.h"
 #include "harness/study/identity.h"
 #include "harness/study/memory.h"
+#include "harness/study/step_growth.h"
 #include "harness/study/stored.h"
 
 namespace mb {
 
 namespace {
 
-constexpr double blown_up = 1e3;  // [-] error of a finite answer that has left the truth behind
+constexpr std::size_t most_told = 1000;  // [bytes] of a failure's reason
+constexpr double blown_up = 1e3;         // [-] error of a finite answer that has left the truth behind
+// [-] of free vibration over the run, by theory: what small answers of so unstable steps show is how little was there
+// to grow. Below it steps past their limit may be accurate: undamped explicit Euler's all are past it.
+constexpr double grown = 10;
 
-// A blow-up is what a step beyond its limit does to an explicit integrator: a result with a name of its own.
-void name_blow_up(std::vector<Record>& marks, const Integrator& integrator) {
+// What a step beyond its limit does to an explicit integrator is a result with a name of its own. growth: by theory.
+void name_instability(std::vector<Record>& marks, const Integrator& integrator, double growth) {
   const bool blew_up = std::ranges::any_of(marks, [](const Record& r) {
     return r.status == "not_finite" || (r.metric == "displacement-error" && r.value > blown_up);
   });
-  if (!blew_up || !integrator.conditionally_stable) return;
+  if (!integrator.conditionally_stable || !(blew_up || growth > grown)) return;
   for (Record& record : marks) record.status = "unstable", record.value = std::numeric_limits<double>::quiet_NaN();
+}
+
+// Whether the answer is one: what failed, or grew beyond its limit, leaves no numbers behind.
+bool is_answer(const Trajectory& answer, const std::vector<Record>& marks) {
+  return answer.status == Status::ok && std::ranges::none_of(marks, [](const Record& r) {
+           return r.status == "unstable" || r.status == "not_finite";
+         });
 }
 
 // Every n-th sample.
@@ -146,14 +159,15 @@ class CaseRun {
   void compete(const Grader& grader, const Job& job, const std::string& count) {
     Record record = base(job.contender);
     try {
-      require_memory(memory(*scene_, job.contender.resolution), available_memory());
+      require_memory(memory(*scene_, job), options_.memory ? options_.memory : available_memory());
       const ReadyContender ready = bench_.prepare(job.contender);
       record.modes_used = ready.prepared->modes_used();
       record.n_unknowns = ready.prepared->n_unknowns();
       StoredJob found = stored(job, store_);
       const bool again = options_.again || !found.has_result;
-      std::vector<Record> records = again ? marks(grader, record, *ready.prepared) : std::move(found.marks);
-      if (again) store_.write_records(record.run, records);
+      std::vector<Record> records = again ? marks(grader, record, ready) : std::move(found.marks);
+      const bool meanwhile = !options_.again && stored(job, store_).has_result;  // by another process: its times stay
+      if (again && !meanwhile) store_.write_records(record.run, records);
       outcome_.n_failed += std::ranges::any_of(records, [](const Record& r) { return is_failure(r); });
       // What gave no answer has no time.
       if (options_.timed && std::ranges::any_of(records, [](const Record& r) { return r.status == "ok"; })) {
@@ -165,33 +179,41 @@ class CaseRun {
     } catch (const StoreError&) {
       throw;  // a store that cannot be written is not the contender's failure
     } catch (const std::exception& error) {
-      store_.write_records(record.run, grader.failure(record, std::string("failed: ") + error.what()));
+      const std::string why = failure_text(error, memory(*scene_, job));
+      store_.write_records(record.run, grader.failure(record, "failed: " + why));
       ++outcome_.n_failed;
-      progress_(fmt::format("{} {} · {} · failed: {}", count, scene_->name, job.label, error.what()));
+      progress_(fmt::format("{} {} · {} · failed: {}", count, scene_->name, job.label, one_line(why, most_told)));
     }
   }
 
   // Marked at every sample; kept for the eye: about a frame's distance apart, without strains.
-  std::vector<Record> marks(const Grader& grader, const Record& record, const Prepared& prepared) const {
-    const Trajectory answer = prepared.simulate({.t = sample_times(*scene_)});
+  std::vector<Record> marks(const Grader& grader, const Record& record, const ReadyContender& ready) const {
+    const Trajectory answer = ready.prepared->simulate({.t = sample_times(*scene_)});
     std::vector<Record> records = grader.marks(record, answer);
-    name_blow_up(records, catalogue_.integrator(record.contender.integrator));
-    store_.write_trajectory(record.run, thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));
+    name_instability(records, catalogue_.integrator(record.contender.integrator), growth(record.contender, ready));
+    if (is_answer(answer, records))
+      store_.write_trajectory(record.run,
+                              thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));
     if (record.run == base(truth_contenders(*scene_).front()).run)
       std::ranges::copy(grader.truth_marks(record), std::back_inserter(records));
     if (record.contender.integrator == "exact")
-      records.push_back(grader.number(record, "load-error", "-", prepared.load_error(), std::nan("")));
+      records.push_back(grader.number(record, "load-error", "-", ready.prepared->load_error(), std::nan("")));
     return records;
   }
 
+  double growth(const Contender& contender, const ReadyContender& ready) const {
+    if (!ready.reduction || !catalogue_.integrator(contender.integrator).conditionally_stable) return std::nan("");
+    return predicted_growth(*ready.reduction, contender.integrator, contender.settings.time_step, scene_->duration);
+  }
+
   void finish(const std::string& count, const Job& job, const std::vector<Record>& records) const {
-    double error = std::nan("");
-    std::string time;
+    std::string said = fmt::format("error {:.2e}", std::nan("")), time;
     for (const Record& r : records) {
-      if (r.metric == "displacement-error" && r.truth == "finer") error = r.value;
+      if (r.metric == "displacement-error" && r.truth == "finer")
+        said = r.status == "unstable" ? "unstable, no trajectory kept" : fmt::format("error {:.2e}", r.value);
       if (r.metric == "online-time") time = fmt::format(" · {:.3g} s", r.value);
     }
-    progress_(fmt::format("{} {} · {} · error {:.2e}{}", count, scene_->name, job.label, error, time));
+    progress_(fmt::format("{} {} · {} · {}{}", count, scene_->name, job.label, said, time));
   }
 
   void analyse(const Job& job, const TruthSet& truth, const std::string& count) {
@@ -200,11 +222,13 @@ class CaseRun {
                                   [this](const Resolution& r) -> const Model& { return bench_.model(r); }};
     std::string said;
     try {
-      const double time = seconds([&] { findings = analysis(job.analysis).run(context); });
+      require_memory(memory(*scene_, job), options_.memory ? options_.memory : available_memory());
+      const double time = seconds([&] { findings = told(analysis(job.analysis), context); });
       said = fmt::format("{} tables · {:.1f} s", findings.size(), time);
     } catch (const std::exception& error) {
-      said = std::string("failed: ") + error.what();
-      findings = {failed_table(job.analysis, error.what())};
+      const std::string why = failure_text(error, memory(*scene_, job));
+      said = "failed: " + one_line(why, most_told);
+      findings = {failed_table(job.analysis, why)};
       ++outcome_.n_failed;
     }
     for (Finding& finding : findings) {
@@ -232,7 +256,9 @@ class CaseRun {
   void time_the_front(const Grader& grader) {
     for (const std::string& run : untimed_front()) {
       if (stop()) return;
-      const Record marked = store_.read_records_of(run).records.front();
+      const std::vector<Record> marks_now = store_.read_records_of(run).records;
+      if (marks_now.empty()) continue;  // removed or damaged since: nothing to time
+      const Record& marked = marks_now.front();
       Record record = base(marked.contender);
       record.modes_used = marked.modes_used;
       record.n_unknowns = marked.n_unknowns;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "cases/scene/printable.h"
 #include "harness/provenance.h"
 #include "harness/study/identity.h"
 #include "reports/runs.h"
@@ -12,6 +13,7 @@ namespace mb {
 namespace {
 
 constexpr const char* failure = "failure";  // the one column of such a table
+constexpr std::size_t most_reason = 1000;   // [bytes] a table with longer texts would not be written
 
 StoredJob stored_tables(const Job& job, const Store& store) {
   StoredJob found;
@@ -67,9 +69,9 @@ bool is_failure(const Finding& finding) { return finding.columns.size() == 1 && 
 Finding failed_table(const std::string& analysis, const std::string& reason) {
   Finding table;
   table.analysis = table.name = table.title = analysis;
-  table.note = "failed: " + reason;
   table.columns = {{failure, ""}};
-  table.rows = {{reason}};
+  table.rows = {{one_line(reason, most_reason)}};
+  table.note = "failed: " + one_line(reason, most_reason);
   return table;
 }
 

@@ -5,6 +5,7 @@
 #include <future>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "cases/exact/exact.h"
@@ -12,6 +13,7 @@
 #include "harness/study/estimate.h"
 #include "harness/study/identity.h"
 #include "harness/study/memory.h"
+#include "harness/study/storable.h"
 #include "mechanics/algebra/threads.h"
 #include "modal/bases/eigenmodes.h"
 #include "reference/full_model.h"
@@ -20,7 +22,7 @@ namespace mb {
 
 namespace {
 
-struct Job {
+struct TruthJob {
   Resolution resolution;
   double tolerance;
   Trajectory* result;
@@ -32,12 +34,15 @@ class TruthRuns {
             const Progress& progress)
       : scene_(std::move(scene)), catalogue_(catalogue), store_(store), progress_(progress) {}
 
-  void run(const Job& job) {
+  // Whether the store held it.
+  bool find(const TruthJob& job) {
+    auto stored = read(truth_hash(*scene_, job.resolution, job.tolerance));
+    if (stored) *job.result = std::move(*stored);
+    return stored.has_value();
+  }
+  void run(const TruthJob& job) {
+    if (find(job)) return;  // another one of the case, or another process, may have stored it since
     const std::string hash = truth_hash(*scene_, job.resolution, job.tolerance);
-    if (auto stored = read(hash)) {
-      *job.result = std::move(*stored);
-      return;
-    }
     const double time = seconds([&] { *job.result = compute(job); });
     if (job.result->status != Status::ok)
       throw std::runtime_error(fmt::format("the truth of {} on {} at rtol {:.0e} failed: {}", scene_->name,
@@ -61,17 +66,21 @@ class TruthRuns {
       const std::lock_guard lock(store_mutex_);
       return store_.read_truth(hash);
     } catch (const StoreError& damaged) {
-      say(std::string(damaged.what()) + "; computed again");
+      if (is_news(hash)) say(std::string(damaged.what()) + "; computed again");
       return {};
     }
   }
-  Trajectory compute(const Job& job) const {
+  Trajectory compute(const TruthJob& job) const {
     const Model model = make_model(scene_, job.resolution);
     Settings settings;
     settings.relative_tolerance = job.tolerance;
     return catalogue_.method("full-order")
         .prepare(model, settings, catalogue_.integrator("sundials"))
         ->simulate({sample_times(*scene_), true});
+  }
+  bool is_news(const std::string& hash) {
+    const std::lock_guard lock(mutex_);
+    return told_.insert(hash).second;
   }
   void say(const std::string& line) {
     const std::lock_guard lock(mutex_);
@@ -83,7 +92,33 @@ class TruthRuns {
   const Store& store_;
   const Progress& progress_;
   std::mutex mutex_, store_mutex_;
+  std::set<std::string> told_;  // hashes of truths that were found damaged
 };
+
+// All that are missing, or false where interrupted. The finer one costs about as much as the others together: two
+// lanes.
+bool computed(const std::vector<TruthJob>& missing, const TruthSet& set, TruthRuns& runs, const Scene& scene,
+              const std::function<bool()>& interrupted) {
+  require_storable(scene);
+  require_memory(memory(scene), available_memory());
+  const auto is_finer = [&](const TruthJob& job) { return job.result == &set.finer; };
+  try {
+    auto lane = std::async(std::launch::async, [&] {
+      forbid_openmp();
+      for (const TruthJob& job : missing)
+        if (is_finer(job)) runs.run(job);
+    });
+    for (const TruthJob& job : missing) {
+      if (is_finer(job)) continue;
+      if (interrupted()) return lane.get(), false;
+      runs.run(job);
+    }
+    lane.get();
+  } catch (const std::bad_alloc& error) {
+    throw std::runtime_error(failure_text(error, memory(scene)));
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -107,24 +142,12 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
   TruthRuns runs(scene, catalogue, store, progress);
   const TruthSettings& t = scene->truth;
   const Resolution mesh = own_meshes(*scene);
-  const auto is_stored = [&](const Resolution& resolution, double tolerance) {
-    return store.has_truth(truth_hash(*scene, resolution, tolerance));
-  };
-  if (!is_stored(t.finer, t.relative_tolerance) || !is_stored(t.coarser, t.relative_tolerance) ||
-      !is_stored(mesh, t.relative_tolerance / 100) || !is_stored(mesh, t.relative_tolerance))
-    require_memory(memory(*scene), available_memory());
-  // The finer one costs about as much as the others together: two lanes.
-  auto lane = std::async(std::launch::async, [&] {
-    forbid_openmp();
-    runs.run({t.finer, t.relative_tolerance, &set.finer});
-  });
-  for (const Job& job :
-       {Job{t.coarser, t.relative_tolerance, &set.coarser}, Job{mesh, t.relative_tolerance / 100, &set.same_mesh},
-        Job{mesh, t.relative_tolerance, &set.loose}}) {
-    if (interrupted()) return lane.get(), std::nullopt;
-    runs.run(job);
-  }
-  lane.get();
+  std::vector<TruthJob> missing{{t.finer, t.relative_tolerance, &set.finer},
+                                {t.coarser, t.relative_tolerance, &set.coarser},
+                                {mesh, t.relative_tolerance / 100, &set.same_mesh},
+                                {mesh, t.relative_tolerance, &set.loose}};
+  std::erase_if(missing, [&](const TruthJob& job) { return runs.find(job); });  // what is damaged is missing, too
+  if (!missing.empty() && !computed(missing, set, runs, *scene, interrupted)) return {};
   if (!t.exact.empty()) {
     const ExactSolution& solution = exact_solution(t.exact);
     set.exact = solution.at(*scene, evaluation_points(*scene, scene->bodies.front()), sample_times(*scene));

@@ -1,0 +1,52 @@
+// Tables in files of their own: whatever the bytes, they are a table of the size that is allowed, which is written and
+// read back the same, or refused in a sentence that shows nothing of them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "cases/scene/table_file.h"
+
+namespace {
+
+using namespace mb;
+
+constexpr std::size_t most = 50;  // entries
+
+void require(bool holds, const char* property) {
+  if (!holds) throw std::logic_error(property);
+}
+
+// Of sentences of our own the digits alone, of lines and entries, depend on the file.
+void require_sentence(std::string text) {
+  std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
+  require(text == "line  of 'FILE' is not 't, s', two numbers" || text == "'FILE' has more than  entries" ||
+              text == "'FILE' has  entries: at least ",
+          "a message that is none of ours");
+}
+
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(
+      a, b, [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); });
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto [table, problem] = table_of_text({reinterpret_cast<const char*>(data), size}, "FILE", most);
+  if (!problem.empty()) return require_sentence(problem), 0;
+  require(table.t.size() == table.s.size() && table.t.size() >= 2 && table.t.size() <= most, "a table of another size");
+  std::string text;
+  for (std::size_t i = 0; i < table.t.size(); ++i) {
+    if (!std::isfinite(table.t[i]) || !std::isfinite(table.s[i])) return 0;  // whose range the history checks
+    text += fmt::format("{},{}\n", table.t[i], table.s[i]);
+  }
+  const TableFile again = table_of_text(text, "FILE", most);
+  require(again.problem.empty() && same(again.table.t, table.t) && same(again.table.s, table.s),
+          "written and read, another table");
+  return 0;
+}

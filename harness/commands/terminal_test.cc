@@ -1,0 +1,84 @@
+// Whatever names files have and whatever a store or a case holds, what reaches the terminal prints: no escape sequence
+// sets its title, colours it or moves its cursor.
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "cases/json/json.h"
+#include "cases/scene/printable.h"
+#include "harness/program_test.h"
+#include "harness/store/file.h"
+#include "harness/store/scratch_folder_test.h"
+#include "harness/store/seal.h"
+#include "harness/store/store.h"
+#include "harness/study/identity.h"
+#include "harness/study/plan.h"
+
+namespace mb {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string evil = "\x1b]0;PWNED\x07";
+
+void expect_prints(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_EQ(printable(line, line.size()), line);
+}
+
+TEST(TerminalTest, NamesOfFilesPrint) {
+  const ScratchFolder scratch;
+  fs::create_directories(scratch / "cases");
+  fs::create_directories(scratch / "results");
+  written(scratch / ("cases/" + evil + ".toml"), "schema = 1\n");
+  for (const auto& [words, told] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"clean"}, "is no valid case"},
+           {{"check", "nope"}, "unknown case 'nope'; cases: "},
+           {{"run", "PWNED"}, "unknown case 'PWNED'"},
+           {{"run"}, "PWNED"},
+           {{"list"}, "PWNED"},
+           {{"explain", "PWNED"}, "unknown word 'PWNED'"}}) {
+    const Said said = modalbench(scratch.path(), words);
+    EXPECT_THAT(said.err, HasSubstr(told));
+    expect_prints(said.err);
+    expect_prints(said.out);
+  }
+}
+
+// Sealed as by this program: the checksum says that the file is whole, not that it is honest.
+TEST(TerminalTest, RecordsOfAStorePrint) {
+  const ScratchFolder scratch;
+  const Scene scene = read_toml(written(scratch / "small.toml", small_case()), default_catalogue().vocabulary());
+  Record record;
+  record.contender = contenders(scene, default_catalogue()).front();
+  record.run = run_hash(scene, record.contender);
+  record.case_name = "small", record.profile = "quick", record.metric = "displacement-error", record.unit = "-";
+  record.truth = "same_mesh", record.status = "failed: HERE";
+  std::string line = to_line(to_json(record));
+  line.replace(line.find("HERE"), 4, "\\u001b]0;PWNED\\u0007");
+  ASSERT_EQ(parse_json(line)["status"], "failed: " + evil);
+  const fs::path file = scratch / ("results/records/" + record.run + ".jsonl");
+  write_file(file, sealed(line + "\n"));
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"report", "small.toml"}, {"clean", "small.toml"}}) {
+    const Said said = modalbench(scratch.path(), words);
+    EXPECT_THAT(said.err, HasSubstr("'status' holds a character that does not print"));
+    expect_prints(said.err);
+    expect_prints(said.out);
+  }
+}
+
+TEST(TerminalTest, ChecksOfACasePrint) {
+  const ScratchFolder scratch;
+  std::string text = small_case();
+  text.replace(text.find("modes = [4, 12]"), 15, "modes = [4, 12]\nanalyses = [\"budget\"]");
+  text += "[[check]]\ntable = \"budget\"\ncolumn = \"\\u001b]0;PWNED\\u0007\"\nat_most = 1\nwhy = \"w\"\n";
+  written(scratch / "small.toml", text);
+  const Said said = modalbench(scratch.path(), {"run", "small.toml"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("U+001B, which does not print"));
+  expect_prints(said.err);
+}
+
+}  // namespace
+}  // namespace mb

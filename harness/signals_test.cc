@@ -1,0 +1,72 @@
+// The program interrupted and killed, alone and with processes of its own.
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+
+#include "harness/faults_test.h"
+
+namespace mb {
+namespace {
+
+using namespace faults;
+using testing::HasSubstr;
+
+TEST(SignalCases, CtrlCEndsAProcessCleanly) {
+  for (const char* jobs : {"1", "2"}) {
+    const ScratchFolder scratch;
+    written(scratch / "case.toml", analysed_case());
+    Process process(scratch.path(), run_with({"--jobs", jobs}), [] { ::setpgid(0, 0); });
+    while (!process.ends_within(0.01) && process.err().find("truth Q") == std::string::npos) continue;
+    process.send_to_group(SIGINT);  // as a terminal does
+    EXPECT_EQ(process.code(), 130) << process.err();
+    EXPECT_THAT(process.err(),
+                HasSubstr("interrupted; what is finished is kept. To go on:\n  modalbench run case.toml"));
+    expect_sound(scratch / "results");
+    Process again(scratch.path(), run);
+    EXPECT_EQ(again.code(), 0) << again.err();
+  }
+}
+
+// Sixty runs of tenths of a second, by a signal to the first process alone, as `kill` and a service's end have it:
+// passed on, so that those forked end after what they have under way, not after their part of the sixty.
+TEST(SignalCases, WhatEndsTheFirstProcessEndsAllCleanly) {
+  std::string steps;
+  for (int i = 0; i < 60; ++i) steps += fmt::format("{}{:g}", i > 0 ? ", " : "", 1e-5 * (1 + 0.01 * i));
+  for (const int signal : {SIGTERM, SIGHUP})
+    for (const char* jobs : {"1", "2"}) {
+      const ScratchFolder scratch;
+      written(scratch / "case.toml", with_rivals(1, "[1, 2]", steps));
+      Process process(scratch.path(), run_with({"--jobs", jobs}), [] { std::signal(SIGHUP, SIG_DFL); });
+      while (!process.ends_within(0.005) && process.err().find("[2/") == std::string::npos) continue;
+      const std::vector<pid_t> children = process.children();
+      process.send(signal);
+      EXPECT_EQ(process.code(), 130) << process.err();
+      EXPECT_THAT(process.err(),
+                  HasSubstr("interrupted; what is finished is kept. To go on:\n  modalbench run case.toml"));
+      EXPECT_LT(std::distance(fs::directory_iterator(scratch / "results/records"), fs::directory_iterator()), 55);
+      EXPECT_EQ(children.size(), std::string(jobs) == "2" ? 2u : 0u);
+      for (const pid_t child : children) EXPECT_FALSE(is_running(child));
+      expect_sound(scratch / "results");
+    }
+}
+
+// Runs of a minute each: none goes on by itself once the process that began them was killed.
+TEST(SignalCases, NoProcessOutlivesTheFirst) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", with_rivals(2, "[2, 4]", "1e-6, 1.1e-6"));
+  Process process(scratch.path(), run_with({"--jobs", "2"}));
+  while (!process.ends_within(0.005) && process.children().size() < 2) continue;
+  const std::vector<pid_t> children = process.children();
+  ASSERT_EQ(children.size(), 2u) << process.err();
+  process.send(SIGKILL);
+  EXPECT_EQ(process.code(), -SIGKILL);
+  const auto any_left = [&] { return std::ranges::any_of(children, is_running); };
+  for (int i = 0; i < 500 && any_left(); ++i) ::usleep(10'000);
+  EXPECT_FALSE(any_left());
+  for (const pid_t child : children) ::kill(child, SIGKILL);
+  expect_sound(scratch / "results");
+}
+
+}  // namespace
+}  // namespace mb

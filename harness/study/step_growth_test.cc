@@ -1,0 +1,103 @@
+#include "harness/study/step_growth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness/analysis/oscillators_test.h"
+#include "mechanics/algebra/box_test_system.h"
+#include "mechanics/system/one_step.h"
+
+namespace mb {
+namespace {
+
+using test::oscillators;
+
+const VectorXd omega{{10, 25, 80}};  // [rad/s]
+
+Reduction of(std::vector<System> systems) {
+  Reduction reduction;
+  for (System& system : systems) reduction.bodies.push_back({std::move(system), {}, {}});
+  return reduction;
+}
+
+System box(const Rayleigh& damping) {
+  System system =
+      testing::box_system({.cells = {2, 2, 3}, .size = {0.1, 0.1, 0.2}, .E = 2e4, .nu = 0.3, .rho = 1100}).system;
+  system.damping = damping;
+  system.modal_damping.W.resize(system.M.rows(), 0);
+  system.lumped_mass = SparseMatrix(VectorXd(system.M * VectorXd::Ones(system.M.rows())).asDiagonal());
+  return system;
+}
+
+// On both sides of the limit, from a thousandth of it on.
+TEST(StepGrowth, OfModesBeginsAtTheLimitOfTheHighest) {
+  for (const double beta : {0.0, 1e-3}) {
+    const double zeta = beta * 80 / 2, lowered = 2 * (std::sqrt(1 + zeta * zeta) - zeta) / 80;
+    const Reduction reduction = of({oscillators(omega, {0, beta})});
+    for (const auto& [name, limit] :
+         {std::pair("symplectic-euler", lowered), std::pair("central-difference", 2. / 80)}) {
+      EXPECT_LE(predicted_growth(reduction, name, 0.999 * limit, 100), 1 + 1e-9) << name;
+      EXPECT_GT(predicted_growth(reduction, name, 1.001 * limit, 100), 10) << name;
+    }
+    EXPECT_LE(predicted_growth(reduction, "newmark", 10, 100), 1 + 1e-9);
+  }
+}
+
+// Undamped explicit Euler grows at any step, by (1 + x^2)^(n/2): slowly where steps are small.
+TEST(StepGrowth, OfExplicitEulerIsThatOfItsSteps) {
+  const Reduction undamped = of({oscillators(omega, {})});
+  for (const double h : {1e-6, 1e-4, 1e-3})
+    EXPECT_NEAR(predicted_growth(undamped, "explicit-euler", h, 1) / std::pow(1 + 6400 * h * h, 0.5 / h), 1, 1e-6);
+  EXPECT_LT(predicted_growth(undamped, "explicit-euler", 1e-6, 1), 1.01);
+  EXPECT_GT(predicted_growth(undamped, "explicit-euler", 1e-3, 1), 10);
+}
+
+TEST(StepGrowth, OfSeveralBodiesIsTheLargest) {
+  const System slow = oscillators(VectorXd{{1, 2}}, {}), fast = oscillators(omega, {});
+  const double both = predicted_growth(of({slow, fast}), "symplectic-euler", 0.03, 1);
+  EXPECT_EQ(both, predicted_growth(of({fast}), "symplectic-euler", 0.03, 1));
+  EXPECT_GT(both, 10);
+  EXPECT_LE(predicted_growth(of({slow}), "symplectic-euler", 0.03, 1), 1 + 1e-9);
+}
+
+// A dashpot that all modes feel lowers the limit; its diagonal alone would lower it elsewhere.
+TEST(StepGrowth, OfModesThatDampingCouplesIsThatOfAllTogether) {
+  System system = oscillators(omega, {});
+  system.modal_damping = {VectorXd{{1, -0.7, 0.4}}, VectorXd{{60}}};
+  const auto& [W, d] = system.modal_damping;
+  const CoupledModes modes{MatrixXd(system.K), W * d.asDiagonal() * W.transpose()};
+  for (const double h : {0.01, 0.0245, 0.03})
+    for (const char* name : {"explicit-euler", "symplectic-euler", "central-difference"}) {
+      const double rho = spectral_radius(one_step(modes, name, h));
+      EXPECT_NEAR(predicted_growth(of({system}), name, h, h), rho, 1e-12 * rho) << name << h;
+    }
+  EXPECT_GT(predicted_growth(of({system}), "symplectic-euler", 0.0245, 10), 10);
+  EXPECT_LE(predicted_growth(of({oscillators(omega, {})}), "symplectic-euler", 0.0245, 10), 1 + 1e-9);
+}
+
+TEST(StepGrowth, OfAMeshIsThatOfItsHighestMode) {
+  for (const double beta : {0.0, 1e-5}) {
+    const System system = box({0, beta});
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> lumped(MatrixXd(system.K), MatrixXd(system.lumped_mass));
+    const double top = std::sqrt(lumped.eigenvalues().maxCoeff()), zeta = beta * top / 2;
+    const double limit = 2 * (std::sqrt(1 + zeta * zeta) - zeta) / top;
+    for (const char* name : {"symplectic-euler", "central-difference"}) {
+      EXPECT_LE(predicted_growth(of({system}), name, 0.999 * limit, 1000 * limit), 1 + 1e-6) << name;
+      EXPECT_GT(predicted_growth(of({system}), name, 1.001 * limit, 1000 * limit), 10) << name;
+    }
+  }
+}
+
+TEST(StepGrowth, IsUnknownWhereNothingIsKnown) {
+  Reduction touching = of({oscillators(omega, {})});
+  touching.in_contact = [](const Integrator&, const Settings&) { return std::unique_ptr<Prepared>(); };
+  EXPECT_TRUE(std::isnan(predicted_growth(touching, "symplectic-euler", 1, 10)));
+  EXPECT_TRUE(std::isnan(predicted_growth(of({oscillators(omega, {})}), "sundials", 1, 10)));
+  System braked = box({0, 0});  // where it moves most, the highest mode is no longer one of its own
+  braked.modal_damping = {MatrixXd::Identity(braked.M.rows(), braked.M.rows()).leftCols(1), VectorXd{{1}}};
+  EXPECT_TRUE(std::isnan(predicted_growth(of({braked}), "explicit-euler", 1, 10)));
+}
+
+}  // namespace
+}  // namespace mb

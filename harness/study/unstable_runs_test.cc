@@ -1,0 +1,76 @@
+// Runs past the limit of their step, through the program: named, without a number, without a trajectory.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "cases/json/record_json.h"
+#include "harness/program_test.h"
+#include "harness/store/scratch_folder_test.h"
+#include "harness/store/store.h"
+
+namespace mb {
+namespace {
+
+using testing::HasSubstr;
+
+// Twelve modes of a body of jelly, without damping: their limit is about 2/130 s, the duration 0.1 s.
+std::string stepped_case() {
+  std::string all = small_case();
+  const std::string check = "\n[[check]]";
+  const std::string steppings = R"(
+[[study.stepping]]
+integrator = "symplectic-euler"
+methods = ["static-correction"]
+modes = [12]
+time_steps = [1e-3, 2.5e-2]
+[[study.stepping]]
+integrator = "explicit-euler"
+methods = ["static-correction"]
+modes = [12]
+time_steps = [1e-5, 1e-2]
+)";
+  return all.insert(all.find(check), steppings);
+}
+
+class UnstableRunCases : public testing::Test {
+ protected:
+  ScratchFolder scratch;
+  Said run() {
+    fs::create_directory(scratch / "cases");
+    written(scratch / "cases/small.toml", stepped_case());
+    return modalbench(scratch.path(), {"run", "small"});
+  }
+};
+
+TEST_F(UnstableRunCases, LeaveRecordsWithoutValuesAndNoTrajectory) {
+  const Said said = run();
+  EXPECT_EQ(said.code, 0) << said.err;  // a result, no failure
+  EXPECT_THAT(said.err, HasSubstr("unstable, no trajectory kept"));
+  const Store store(scratch / "results");
+  int n_unstable = 0, n_ok = 0;
+  for (const Record& record : store.read_all_records().records) {
+    const auto& [method, integrator, resolution, settings] = record.contender;
+    const bool beyond = (integrator == "symplectic-euler" && settings.time_step > 1e-2) ||
+                        (integrator == "explicit-euler" && settings.time_step > 1e-4);
+    EXPECT_EQ(record.status, beyond ? "unstable" : "ok") << record.metric << " " << integrator << settings.time_step;
+    EXPECT_EQ(std::isnan(record.value), beyond) << record.metric;
+    if (record.contender.integrator == "sundials") continue;  // the truth's own marks
+    EXPECT_EQ(store.has_trajectory(record.run), !beyond) << record.metric << " " << integrator << settings.time_step;
+    ++(beyond ? n_unstable : n_ok);
+    if (!beyond) {
+      EXPECT_NO_THROW(store.read_trajectory(record.run));
+    }
+  }
+  EXPECT_GT(n_unstable, 0);
+  EXPECT_GT(n_ok, n_unstable);
+}
+
+// What is stored stays stored, and who reads the store misses nothing.
+TEST_F(UnstableRunCases, AreCompleteWithoutATrajectory) {
+  ASSERT_EQ(run().code, 0);
+  EXPECT_THAT(run().err, HasSubstr("0 runs done, 8 found"));
+  EXPECT_EQ(modalbench(scratch.path(), {"report"}).code, 0);
+}
+
+}  // namespace
+}  // namespace mb
