@@ -22,7 +22,7 @@ struct Contender {
 };
 
 struct Record {
-  std::string run;  // content hash of scene and contender: names the trajectory file
+  std::string run;  // content hash of scene and contender: names the trajectory file, if there is one
   std::string case_name, profile;
   Contender contender;
   int modes_used = -1;  // elastic modes kept, after rounding up; -1: not modal
@@ -33,8 +33,9 @@ struct Record {
   double value = 0;     // where not finite stored as null, and then with a status other than "ok"
   std::string unit;
   std::optional<double> error_bar;  // same unit; a value below it prints as "<= bar"
-  std::string status;               // "ok", "unstable" (steps beyond the integrator's limit), "not_finite",
-                                    // "no_convergence", "too_many_steps", "undefined: ...", "failed: ..."
+  std::string status;               // "ok", "unstable" (steps beyond the integrator's limit: run_case.h),
+                                    // "not_finite", "no_convergence", "too_many_steps", "undefined: ...",
+                                    // "failed: ..."
   Work work;
   std::map<std::string, std::string> provenance;  // commit, date, profile, processor, threads, blas, compiler
 };

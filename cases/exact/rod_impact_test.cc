@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "mechanics/geometry/gauss.h"
+#include "mechanics/verified_test.h"
 
 namespace mb {
 namespace {
@@ -77,19 +78,29 @@ TEST(RodImpactVerification, AgreesWithAChainOfMasses) {
   const int n = 1600;
   const double h = L / n / c, k_n = layers * E / L, by_mass = h * h / (rho * L / n / 2);
   VectorXd before = VectorXd::Constant(n + 1, v * h), now = VectorXd::Zero(n + 1), next(n + 1);
-  double worst = 0, end = 0;
+  VectorXd off(3 * n);
+  double end = 0;
   for (int step = 0; step < 3 * n; ++step) {
     next.segment(1, n - 1) = now.segment(2, n - 1) + now.head(n - 1) - before.segment(1, n - 1);
     next[n] = 2 * now[n - 1] - before[n];
     next[0] = 2 * now[1] - before[0];
     const double middle = (next[0] + before[0]) / 2 / (1 + by_mass * k_n / 2), p = k_n * std::max(0.0, -middle);
     next[0] += by_mass * p;
-    worst = std::max(worst, std::abs(p - waves.pressure(step * h)));
+    off[step] = p - waves.pressure(step * h);
     if (p > 0) end = step * h;
     before = now;
     now = next;
   }
-  EXPECT_LT(worst, k_n / impedance * h * impedance * v);  // 1.3 %
+  testing::expect_verified(
+      {.quantity =
+           "pressure at the end of a rod that strikes a layer of k_n L/E = 20, largest error over three passages "
+           "of its waves, over rho c v",
+       .reference = "second route",
+       .source = "a chain of 1600 masses at Courant number one",
+       .uncertainty = "k_n L/(E n) = 0.0125, of first order in the n masses",
+       .tolerance = layers / n,
+       .why = "The force has a kink at the touch: the chain is off by at most the force's first rise over one step."},
+      off.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / (impedance * v));
   EXPECT_NEAR(end, waves.contact().duration, 2 * h);
 }
 

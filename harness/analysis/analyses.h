@@ -7,10 +7,11 @@
 //   step-limit-runs           system | modes r | scheme | integrator | dt / limit | dt | steps | growth by theory |
 //                             growth observed | difference of logarithms | verdict
 //   step-limit-exponents      claim | scheme | limits fitted | exponent | standard error | claimed | verdict
-//   stability-map             integrator | modes r | system | dt | dt / limit | spectral radius | energy | error | found |
+//   stability-map             integrator | modes r | system | dt | dt / limit | spectral radius | energy | error |
+//   found |
 //                             limit | verdict
 //   stability-summary         integrator | cells | stable | inaccurate | unstable | not as predicted |
-//                             too slow to be seen | order | standard error
+//                             too slow to be seen | order | standard error | largest energy
 //   aliasing                  frame rate | frames | contender | modes r | shutter | sub-samples | aliasing | droop |
 //                             low-band error | frame error
 //   aliasing-claim            claim | frame rate | energy above F/2 | aliasing full order | aliasing cut modal |
@@ -31,6 +32,8 @@
 //   long-run                  integrator | modes r | dt | steps | status | swing | drift | exponent | standard error
 //   multiplets                first mode | multiplicity | frequency | gap | difference of frequency |
 //                             subspace distance | distance times gap
+//   aspect                    aspect | unknowns | first frequency | largest residual | modes against steps |
+//                             | energy, newmark | energy below the limit | energy past the limit
 //   locking                   element | nu | cells | unknowns | static error | frequency error
 //   locking-growth            element | static error at 0.3 | static error at 0.4999 | growth of static error |
 //                             frequency error at 0.3 | frequency error at 0.4999 | growth of frequency error
@@ -102,6 +105,7 @@ std::vector<Finding> achieved_damping(const AnalysisContext& context);
 std::vector<Finding> coupled_damping(const AnalysisContext& context);
 std::vector<Finding> long_run(const AnalysisContext& context);
 std::vector<Finding> multiplets(const AnalysisContext& context);
+std::vector<Finding> aspect(const AnalysisContext& context);
 std::vector<Finding> locking(const AnalysisContext& context);
 std::vector<Finding> linearity(const AnalysisContext& context);
 std::vector<Finding> contact_stability(const AnalysisContext& context);

@@ -26,11 +26,12 @@ struct Analysis {
   std::vector<Finding> (*run)(const AnalysisContext& context);
   enum class Scenes { any, without_contact, with_contact } scenes = Scenes::any;  // for which it is made
   bool theories = false;  // whether bodies of beam and plate theory have it, too
+  bool of_truth = false;  // told again of the truth's neighbour, for error bars (harness/analysis/told.h)
 };
 
 // The visible list: budget, step-limits, aliasing, frequency-response, mode-amplitudes, damping, frequencies,
 // probe-extremes, collision-cost, contact-forces, contact-stiffness, contact,
-// flight-cost, amplitude, instructions, slenderness, damping-coupling, long-run, multiplets, locking, linearity,
+// flight-cost, amplitude, instructions, slenderness, damping-coupling, long-run, multiplets, aspect, locking, linearity,
 // contact-stability.
 const std::vector<Analysis>& analysis_catalogue();
 const Analysis& analysis(const std::string& name);  // throws std::out_of_range naming it

@@ -6,19 +6,20 @@
 namespace mb {
 
 const std::vector<Analysis>& analysis_catalogue() {
-  constexpr auto loaded = Analysis::Scenes::without_contact, touching = Analysis::Scenes::with_contact;
+  constexpr auto any = Analysis::Scenes::any, loaded = Analysis::Scenes::without_contact,
+                 touching = Analysis::Scenes::with_contact;
   static const std::vector<Analysis> all{
       {"budget",
        "which part of an answer's error is due to the step, to truncation, to the mesh, to contact on its surface and "
        "to finite strain",
-       &error_budget},
+       &error_budget, any, false, true},
       {"step-limits", "largest stable steps of explicit schemes, by formula, by bisection and by runs", &step_limits},
       {"stability-map",
        "which steps of every integrator are stable, inaccurate and unstable over mode count and step, beside what one "
        "step's amplification predicts",
        &stability_map, loaded},
       {"aliasing", "what frames make of motion too fast for them, and what it takes to avoid it", &temporal_aliasing,
-       loaded},
+       loaded, false, true},
       {"frequency-response", "steady response at the first probe over frequency, full against reduced",
        &frequency_responses, loaded},
       {"mode-amplitudes", "how a mode's displacement falls with its frequency for fixed energy, force and impulse",
@@ -33,12 +34,14 @@ const std::vector<Analysis>& analysis_catalogue() {
        "energy over a million steps of free vibration, by every integrator of fixed step and in closed form", &long_run,
        loaded},
       {"multiplets", "modes by two solvers, multiplet by multiplet", &multiplets},
+      {"aspect", "modes and steps of a box from compact to 200 times as long as thick", &aspect, loaded},
       {"locking", "static answers and first frequencies by degree of the elements as Poisson's ratio nears 1/2",
        &locking, loaded},
       {"linearity", "how far linear theory is off: estimated by a perturbation series, measured against finite strain",
-       &linearity, loaded},
+       &linearity, loaded, false, true},
       {"frequencies", "natural frequencies against published ones, with observed order", &natural_frequencies},
-      {"probe-extremes", "largest and smallest probe values, when, and the static ones", &probe_extremes, loaded},
+      {"probe-extremes", "largest and smallest probe values, when, and the static ones", &probe_extremes, loaded, false,
+       true},
       {"collision-cost", "cost of points against polygons, a tree of boxes over them and an analytic shape",
        &collision_cost},
       {"contact-forces", "errors of contact forces from vertices, quadratures and curvatures", &contact_forces},

@@ -8,6 +8,7 @@
 
 #include "harness/analysis/budget_tables.h"
 #include "harness/analysis/contact_variants.h"
+#include "harness/analysis/told.h"
 #include "harness/study/truth.h"
 
 namespace mb {
@@ -33,11 +34,12 @@ class ContactBudget {
         finite_(
             std::ranges::any_of(scene_.bodies, [](const Body& body) { return body.kinematics == Kinematics::finite; })),
         tables_(in_words(finite_)),
+        beside_(in_words(finite_)),
         variants_(context) {
     for (const Body& body : scene_.bodies) points_.push_back(evaluation_points(scene_, body));
-    finite_ ? add_finite_truths() : add_linear_truths();
+    finite_ ? add_finite_truths() : add_truths("truncation");
     const std::optional<Trajectory>& exact = context.truth.exact;
-    if (exact && exact->bodies.front().displacement.cols() > 0) add_full("finer mesh", *exact);
+    if (exact && exact->bodies.front().displacement.cols() > 0) add_full("finer mesh", *exact, *exact);
   }
 
   void add(const std::string& method, int r) {
@@ -57,18 +59,32 @@ class ContactBudget {
       std::vector<BudgetLink> chain{{"", normed(stepped, b)}, {"time stepping", normed(limit, b)}};
       chain.push_back({"contact on the surface", normed(massless, b)});
       if (with_shapes) chain.push_back({"mass of static shapes", normed(with_mass, b)});
-      for (const auto& [link, answer] : full_) chain.push_back({link, normed(answer, b)});
-      tables_.add({scene_.bodies[b].name, method, static_cast<double>(r), "exact", fmt::format("dt = {:.3g} s", h)},
-                  chain);
+      const BudgetOf of{scene_.bodies[b].name, method, static_cast<double>(r), "exact",
+                        fmt::format("dt = {:.3g} s", h)};
+      std::vector<BudgetLink> other = chain;
+      for (const FullLink& link : full_) {
+        chain.push_back({link.name, normed(link.answer, b)});
+        other.push_back({link.name, normed(link.neighbour, b)});
+      }
+      tables_.add(of, chain);
+      beside_.add(of, other);
     }
   }
 
   std::vector<Finding> findings() && {
     for (const auto& [what, reason] : reasons_) tables_.note(reason);
-    return std::move(tables_).findings();
+    std::vector<Finding> found = std::move(tables_).findings();
+    add_bars(found, std::move(beside_).findings());
+    return found;
   }
 
  private:
+  // What is not told of the truth is its own neighbour: full order with linear kinematics.
+  struct FullLink {
+    std::string name;
+    std::optional<Trajectory> answer, neighbour;
+  };
+
   Normed normed(const Trajectory& answer, size_t b) const {
     return in_both_norms(answer, {scene_, static_cast<Index>(b), points_[b], !is_held(scene_.bodies[b])});
   }
@@ -92,13 +108,13 @@ class ContactBudget {
     return {};
   }
 
-  void add_full(const std::string& link, std::optional<Trajectory> answer) {
-    full_.emplace_back(link, std::move(answer));
+  void add_full(const std::string& name, std::optional<Trajectory> answer, std::optional<Trajectory> neighbour) {
+    full_.push_back({name, std::move(answer), std::move(neighbour)});
   }
 
-  void add_linear_truths() {
-    add_full("truncation", context_.truth.same_mesh);
-    add_full("discretisation", context_.truth.finer);
+  void add_truths(const std::string& truncation) {
+    add_full(truncation, context_.truth.same_mesh, context_.truth.loose);
+    add_full("discretisation", context_.truth.finer, context_.truth.coarser);
   }
 
   // Where linear kinematics carry nothing at all, the truth on the same mesh still tells the finer mesh's part.
@@ -106,13 +122,13 @@ class ContactBudget {
     const double rtol = scene_.truth.relative_tolerance;
     auto same_mesh = linear_truth("full order with linear kinematics", own_meshes(scene_), rtol / 100);
     if (!same_mesh) {
-      add_full("truncation + finite strain", context_.truth.same_mesh);
-      add_full("discretisation", context_.truth.finer);
+      add_truths("truncation + finite strain");
       return;
     }
-    add_full("truncation", std::move(same_mesh));
-    add_full("discretisation", linear_truth("the finer mesh with linear kinematics", scene_.truth.finer, rtol));
-    add_full("finite strain", context_.truth.finer);
+    add_full("truncation", same_mesh, same_mesh);
+    const auto finer = linear_truth("the finer mesh with linear kinematics", scene_.truth.finer, rtol);
+    add_full("discretisation", finer, finer);
+    add_full("finite strain", context_.truth.finer, context_.truth.coarser);
   }
 
   std::optional<Trajectory> linear_truth(const std::string& what, const Resolution& mesh, double rtol) {
@@ -127,12 +143,12 @@ class ContactBudget {
 
   const AnalysisContext& context_;
   const Scene& scene_;
-  bool finite_;  // any body
-  BudgetTables tables_;
+  bool finite_;                   // any body
+  BudgetTables tables_, beside_;  // of the truths and of their neighbours
   ContactVariants variants_;
-  std::vector<EvaluationPoints> points_;                                 // of every body
-  std::vector<std::pair<std::string, std::optional<Trajectory>>> full_;  // after the modal answers
-  std::map<std::string, std::string> reasons_;                           // by what is missing
+  std::vector<EvaluationPoints> points_;        // of every body
+  std::vector<FullLink> full_;                  // after the modal answers
+  std::map<std::string, std::string> reasons_;  // by what is missing
 };
 
 }  // namespace

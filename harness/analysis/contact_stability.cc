@@ -1,82 +1,81 @@
 #include "harness/analysis/contact_stability.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "mechanics/system/one_step.h"
 #include "mechanics/system/oscillator.h"
 
 namespace mb {
 namespace {
 
-// (q, v) -> (q, v) of half a kick, by contact alone.
-MatrixXd kick(const PressedModes& p, double h) {
-  const Index n = p.g.size();
-  MatrixXd A = MatrixXd::Identity(2 * n, 2 * n);
-  A.bottomLeftCorner(n, n) = -h * p.kappa * p.g * p.g.transpose();
-  return A;
+constexpr double grows = 1 + 1e-6;  // rounding of eigenvalues, of which rigid modes are double: sqrt(eps)
+constexpr double widest = 0.02, narrowest = 1e-7;  // [-] windows that are looked for one by one
+
+CoupledModes coupled(const PressedModes& p) {
+  return {MatrixXd(p.lambda.asDiagonal()) + p.kappa * p.g * p.g.transpose(), p.c.asDiagonal()};
 }
 
-MatrixXd drift(const PressedModes& p, double h) {
+// Half a kick by contact alone, closed form without it, half a kick; (s q, v) as of one_step.
+MatrixXd kick_drift_kick(const PressedModes& p, double h) {
   const Index n = p.g.size();
-  MatrixXd A = MatrixXd::Zero(2 * n, 2 * n);
+  const VectorXd s = energy_scales(coupled(p).K, h);
+  MatrixXd kick = MatrixXd::Identity(2 * n, 2 * n), drift = MatrixXd::Zero(2 * n, 2 * n);
+  kick.bottomLeftCorner(n, n) = -h / 2 * p.kappa * p.g * p.g.cwiseQuotient(s).transpose();
   for (Index i = 0; i < n; ++i) {
     const Response r = response(roots({p.lambda[i], p.c[i]}), h);
-    A(i, i) = r.C, A(i, n + i) = r.S;
-    A(n + i, i) = r.C_dot, A(n + i, n + i) = r.S_dot;
+    drift(i, i) = r.C, drift(i, n + i) = s[i] * r.S;
+    drift(n + i, i) = r.C_dot / s[i], drift(n + i, n + i) = r.S_dot;
   }
-  return A;
+  return kick * drift * kick;
 }
 
-MatrixXd stiffness(const PressedModes& p) { return MatrixXd(p.lambda.asDiagonal()) + p.kappa * p.g * p.g.transpose(); }
-
-MatrixXd by_symplectic_euler(const PressedModes& p, double h) {
-  const Index n = p.g.size();
-  const MatrixXd I = MatrixXd::Identity(n, n);
-  MatrixXd A(2 * n, 2 * n);
-  A.bottomLeftCorner(n, n) = -h * stiffness(p);
-  A.bottomRightCorner(n, n) = I - h * MatrixXd(p.c.asDiagonal());
-  A.topLeftCorner(n, n) = I + h * A.bottomLeftCorner(n, n);
-  A.topRightCorner(n, n) = h * A.bottomRightCorner(n, n);
-  return A;
-}
-
-// Average acceleration is the trapezoidal rule of y' = B y.
-MatrixXd by_newmark(const PressedModes& p, double h) {
-  const Index n = p.g.size();
-  MatrixXd B = MatrixXd::Zero(2 * n, 2 * n);
-  B.topRightCorner(n, n).setIdentity();
-  B.bottomLeftCorner(n, n) = -stiffness(p);
-  B.bottomRightCorner(n, n) = -MatrixXd(p.c.asDiagonal());
-  const MatrixXd I = MatrixXd::Identity(2 * n, 2 * n);
-  return (I - h / 2 * B).partialPivLu().solve(I + h / 2 * B);
+// Ascending, from first to last.
+std::vector<double> apart_by(double ratio, double first, double last) {
+  std::vector<double> all{first};
+  while (all.back() < last) all.push_back(std::min(last, all.back() * ratio));
+  return all;
 }
 
 }  // namespace
 
 double pressed_radius(const PressedModes& pressed, const std::string& scheme, double h) {
-  MatrixXd A;
-  if (scheme == "exact")
-    A = kick(pressed, h / 2) * drift(pressed, h) * kick(pressed, h / 2);
-  else if (scheme == "symplectic-euler")
-    A = by_symplectic_euler(pressed, h);
-  else if (scheme == "newmark")
-    A = by_newmark(pressed, h);
-  else
-    throw std::invalid_argument("no scheme '" + scheme + "' steps in contact");
-  return Eigen::EigenSolver<MatrixXd>(A, false).eigenvalues().cwiseAbs().maxCoeff();
+  if (scheme == "exact") return spectral_radius(kick_drift_kick(pressed, h));
+  if (scheme == "symplectic-euler" || scheme == "newmark")
+    return spectral_radius(one_step(coupled(pressed), scheme, h));
+  throw std::invalid_argument("no scheme '" + scheme + "' steps in contact");
+}
+
+std::vector<double> resonances(const PressedModes& p, double most) {
+  std::vector<double> all;
+  const VectorXd omega = p.lambda.cwiseSqrt();
+  for (Index i = 0; i < omega.size(); ++i)
+    for (Index j = i; j < omega.size(); ++j) {
+      if (!(omega[i] > 0 && omega[j] > 0)) continue;
+      const double w = p.kappa * std::abs(p.g[i] * p.g[j]) / std::sqrt(omega[i] * omega[j]);
+      const double width = 2 * w / (omega[i] + omega[j]);
+      if (width < narrowest || width > widest || w < std::sqrt(p.c[i] * p.c[j])) continue;
+      const auto stiffened = [&](Index k) { return omega[k] + p.kappa * p.g[k] * p.g[k] / (2 * omega[k]); };
+      const double h = 2 * pi / (stiffened(i) + stiffened(j));
+      for (double k = 1; k * h < most; ++k) all.push_back(k * h);
+    }
+  std::ranges::sort(all);
+  return all;
 }
 
 double pressed_limit(const PressedModes& pressed, const std::string& scheme, double most) {
-  constexpr double grows = 1 + 1e-6;  // rounding of eigenvalues, of which rigid modes are double: sqrt(eps)
   const auto stable = [&](double h) { return pressed_radius(pressed, scheme, h) <= grows; };
-  constexpr int n = 60;
+  const bool kicks = scheme == "exact";
   const double first = 1e-4 * most;
+  std::vector<double> tried = apart_by(kicks ? 1.01 : 1.15, first, most);
+  if (kicks) std::ranges::copy(resonances(pressed, most), std::back_inserter(tried));
+  std::ranges::sort(tried);
   double low = first;
-  for (int i = 0; i <= n; ++i) {
-    double high = first * std::pow(1e4, static_cast<double>(i) / n);
-    if (stable(high)) {
-      low = high;
+  for (double high : tried) {
+    if (high < first || stable(high)) {
+      low = std::max(first, high);
       continue;
     }
     while (high > low * 1.001) {

@@ -1,8 +1,10 @@
 // Steps in contact over the stiffness of the layer: where energy grows, where the impact is off, and whether one
-// linearised step says so before (contact_stability.h). The first body in eigenmodes, thrown as in the scene.
+// linearised step says so before (contact_stability.h). The first body and what it meets in eigenmodes, thrown as in
+// the scene; one at rest as fast as its weight alone would have it fall.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "cases/contract/touchdown.h"
@@ -12,6 +14,7 @@
 #include "harness/analysis/contact_variants.h"
 #include "harness/analysis/first_impact.h"
 #include "harness/analysis/stability_grid.h"
+#include "mechanics/geometry/shape.h"
 
 namespace mb {
 
@@ -20,16 +23,17 @@ namespace {
 constexpr double factors[] = {0.01, 0.1, 1, 10, 100};  // [-] on the layer's stiffness
 constexpr int steps = 12;                              // from four durations of the contact down, by halves
 constexpr int most_modes = 24;
-constexpr double grown = 1.1;   // [-] of the energy at the start
+constexpr double grown = 1.1;   // [-] of the energy of the approach
 constexpr double samples = 64;  // [-] to the contact's duration
 constexpr const char* steppers[] = {"exact", "symplectic-euler", "newmark"};
 
 Finding map_table() {
   return table(
       "contact-stability", "contact-stability", "Steps in contact over the layer's stiffness",
-      "The first body in eigenmodes, thrown against what it meets as in the scene, with other layers and steps. "
-      "Unstable: after the impact its energy is more than 1.1 of what it was, or a step has no solution. Inaccurate: "
-      "bounded, and peak "
+      "The first body in eigenmodes, thrown against what it meets as in the scene, with other layers and steps; what "
+      "rests, as fast as its weight alone would have it fall. Energy: 1, and what is gained by the impact over the "
+      "kinetic energy along the normal. Unstable: it is more than 1.1, or a step has no solution or throws bodies to "
+      "where nothing is known of their contact. Inaccurate: bounded, and peak "
       "force or impulse more than 5 % off those of the closed form with the least step. Spectral radius: of one "
       "step linearised about the height of the impact, the layer pressed at one point as hard as over the "
       "contact's whole area; limit: the step where it passes 1. Growth over one contact that would not show is "
@@ -61,26 +65,73 @@ Finding summary_table() {
                 {"too short to be seen", ""}});
 }
 
-struct VariedLayer {
+// The touch as seen in the world.
+struct Encounter {
   Meeting meeting;
+  Vector3d normal;  // [-] of what is met, towards the body
+  double mass;      // [kg] of both bodies, the reduced one
+};
+
+struct VariedLayer {
+  Encounter encounter;
   double factor;
   PressedModes pressed;
   Scene scene;
+  std::shared_ptr<const FloatingBases> bases;
   FirstImpact reference;
 };
 
-// Without rigid modes at zero distance: g of all modes kept.
-PressedModes pressed(const ModalBody& body, const Modes& kept, const Scene& scene, const Meeting& meeting,
-                     double factor) {
-  const Body& of = scene.bodies.front();
-  const Vector3d n = gap(surface_met(scene, of, meeting), meeting.X).normal;
-  const Index n_modes = kept.size(), n_rigid = kept.n_rigid;
-  VectorXd c(n_modes);
-  for (Index i = 0; i < n_modes; ++i)
-    c[i] = i < n_rigid ? 0 : kept.Phi.col(i).dot(apply_damping(body.system, VectorXd(kept.Phi.col(i))));
-  const MatrixXd at = body.model.full->displacement_at(Matrix3Xd(meeting.X)) * kept.Phi;
+double mass_of(const Body& body) { return body.material.density * volume(body.shape); }
+
+Encounter first_encounter(const Scene& scene) {
+  const Body& body = scene.bodies.front();
+  const Touchdown down = touchdown(scene, body);
+  const auto met = std::ranges::min_element(down.meetings, {}, &Meeting::t);
+  if (met == down.meetings.end() || !std::isfinite(met->t))
+    throw std::invalid_argument("contact-stability: the first body meets nothing");
+  const Vector3d flown = met->t * body.twist.velocity + met->t * met->t / 2 * scene.gravity;
+  const Body* partner = partner_of(scene, scene.contacts.at(met->contact));
+  const bool yields = partner && !is_held(*partner);
+  const double share = yields ? mass_of(*partner) / (mass_of(body) + mass_of(*partner)) : 1;
+  return {*met, gap(surface_met(scene, body, *met), body.pose.to_world(met->X) + flown).normal, share * mass_of(body)};
+}
+
+// What a touch at X of a body sees of its modes: the first r elastic ones and the rigid ones, all of them in g.
+PressedModes modes_at(const ContactVariants& variants, size_t place, const Vector3d& X, const Vector3d& normal, int r) {
+  const Model& model = variants.body().scene_model;
+  const FullModel& full = *model.bodies[place].full;
+  const Modes kept = leading(variants.modes(place), r);
+  VectorXd c(kept.size());
+  for (Index i = 0; i < c.size(); ++i)
+    c[i] = i < kept.n_rigid ? 0 : kept.Phi.col(i).dot(apply_damping(full.system(), VectorXd(kept.Phi.col(i))));
+  const Vector3d n = model.scene->bodies[place].pose.orientation.conjugate() * normal;
+  const MatrixXd at = full.displacement_at(Matrix3Xd(X)) * kept.Phi;
+  return {kept.omega.cwiseAbs2(), c, at.transpose() * n, 0};
+}
+
+VectorXd joined(const VectorXd& a, const VectorXd& b) { return (VectorXd(a.size() + b.size()) << a, b).finished(); }
+
+PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, double factor) {
+  const Scene& scene = *variants.body().scene_model.scene;
+  const auto& [meeting, normal, mass] = encounter;
+  PressedModes all = modes_at(variants, 0, meeting.X, normal, r);
+  if (const Body* partner = partner_of(scene, scene.contacts.at(meeting.contact))) {
+    const auto place = static_cast<size_t>(partner - scene.bodies.data());
+    const PressedModes other = modes_at(variants, place, meeting.Y, -normal, r);
+    all = {joined(all.lambda, other.lambda), joined(all.c, other.c), joined(all.g, other.g), 0};
+  }
   const double a = meeting.size.radius;
-  return {kept.omega.cwiseAbs2(), c, at.transpose() * n, factor * meeting.size.stiffness * pi * a * a};
+  all.kappa = factor * meeting.size.stiffness * pi * a * a;
+  return all;
+}
+
+// What is slower than its weight alone would have it be, at rest above all, is thrown at that.
+void throw_at_least(Scene& scene, const Encounter& encounter, double flight) {
+  Body& body = scene.bodies.front();
+  const double missing = encounter.meeting.size.speed + body.twist.velocity.dot(encounter.normal);
+  if (!(missing > 1e-6 * encounter.meeting.size.speed)) return;
+  body.twist.velocity -= missing * encounter.normal;
+  body.pose.position += flight * missing * encounter.normal;
 }
 
 struct Cell {
@@ -89,29 +140,44 @@ struct Cell {
   std::string verdict;
 };
 
-Cell cell(const ContactVariants& variants, const VariedLayer& layer, const std::string& scheme, int r, double dt) {
+// 1 and what is gained from the first sample to the last, over the kinetic energy of the approach.
+double gained_energy(const Trajectory& run, const VariedLayer& layer) {
+  double gain = 0;
+  for (const BodyTrajectory& body : run.bodies) gain += body.energy(body.energy.size() - 1) - body.energy(0);
+  const double speed = layer.scene.bodies.front().twist.velocity.dot(layer.encounter.normal);
+  return 1 + gain / (layer.encounter.mass * speed * speed / 2);
+}
+
+// Nothing where it failed: a body that is thrown about may come to where nothing is known of the contact.
+std::optional<Trajectory> finite_run(const VariedLayer& layer, const Integrator& scheme, double dt) try {
+  Settings settings;
+  settings.time_step = dt;
+  Trajectory run = prepare_floating(layer.bases, scheme, settings)
+                       ->simulate({.t = sample_times(layer.scene)});  // energies come with strains
+  return run.status == Status::ok ? std::optional(std::move(run)) : std::nullopt;
+} catch (const std::runtime_error&) {
+  return {};
+}
+
+Cell cell(const VariedLayer& layer, const Integrator& scheme, double dt) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const Trajectory run =
-      variants.prepare(layer.scene, {.method = "eigenmodes", .modes = r, .time_step = dt, .integrator = scheme})
-          ->simulate({.t = sample_times(layer.scene)});  // energies come with strains
   Cell one{dt,
-           pressed_radius(layer.pressed, scheme, dt),
+           pressed_radius(layer.pressed, scheme.name, dt),
            std::numeric_limits<double>::infinity(),
            nan,
            nan,
            StepClass::unstable,
            ""};
-  if (run.status == Status::ok) {
-    const VectorXd& E = run.bodies.front().energy;
-    one.energy = E(E.size() - 1) / E(0);
-    const FirstImpact now = first_impact(run, run);
+  if (const auto run = finite_run(layer, scheme, dt)) {
+    one.energy = gained_energy(*run, layer);
+    const FirstImpact now = first_impact(*run, *run);
     one.of_peak = std::abs(now.peak / layer.reference.peak - 1);
     one.of_impulse = std::abs(now.impulse / layer.reference.impulse - 1);
     if (one.energy <= grown)
       one.found = std::max(one.of_peak, one.of_impulse) <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
   }
   // What one contact multiplies amplitudes by, squared: energy.
-  const double growth = 2 * layer.meeting.size.duration / dt * std::log(one.radius);
+  const double growth = 2 * layer.encounter.meeting.size.duration / dt * std::log(one.radius);
   const bool grows = growth > std::log(grown), seen = one.found == StepClass::unstable;
   one.verdict = !grows && one.radius > 1 + 1e-6 ? "too short to be seen"
                 : grows == seen                 ? "as predicted"
@@ -130,22 +196,21 @@ struct Summary {
   }
 };
 
-std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const ContactVariants& variants,
-                                       const Modes& kept, int r) {
-  const Touchdown down = touchdown(*context.scene, context.scene->bodies.front());
-  const auto met = std::ranges::min_element(down.meetings, {}, &Meeting::t);
-  if (met == down.meetings.end() || !std::isfinite(met->t))
-    throw std::invalid_argument("contact-stability: the first body meets nothing");
-  const double T = met->size.duration;
-  const Scene thrown = variants.with_flight(T, 8 * T);
+std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const ContactVariants& variants, int r) {
+  const Encounter encounter = first_encounter(*context.scene);
+  const auto& [contact, t, X, size, Y] = encounter.meeting;
+  const double T = size.duration;
+  Scene scene = thrown(*context.scene, 1, T, 8 * T);
+  throw_at_least(scene, encounter, T);
+  scene.samples_per_second = samples / T;
   std::vector<VariedLayer> all;
   for (const double factor : factors) {
-    VariedLayer layer{*met, factor, pressed(variants.body(), kept, *context.scene, *met, factor), thrown, {}};
-    layer.scene.contacts.at(met->contact).stiffness = factor * met->size.stiffness;
-    layer.scene.samples_per_second = samples / T;
-    const Trajectory finest = variants.simulate(
-        layer.scene, {.method = "eigenmodes", .modes = r, .time_step = 4 * T * std::pow(0.5, steps + 1)});
-    layer.reference = first_impact(finest, finest);
+    VariedLayer layer{encounter, factor, pressed(variants, encounter, r, factor), scene, nullptr, {}};
+    layer.scene.contacts.at(contact).stiffness = factor * size.stiffness;
+    const ContactContender finest{.method = "eigenmodes", .modes = r, .time_step = 4 * T * std::pow(0.5, steps + 1)};
+    layer.bases = variants.bases(layer.scene, finest);
+    const Trajectory reference = variants.simulate(layer.scene, finest);
+    layer.reference = first_impact(reference, reference);
     all.push_back(std::move(layer));
   }
   return all;
@@ -156,16 +221,16 @@ std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const Con
 std::vector<Finding> contact_stability(const AnalysisContext& context) {
   const ContactVariants variants(context);
   const int r = std::min(mode_counts(context).back(), most_modes);
-  const Modes kept = leading(variants.body().modes, r);
   Finding map = map_table(), summary = summary_table();
-  const std::vector<VariedLayer> all = varied_layers(context, variants, kept, r);
+  const std::vector<VariedLayer> all = varied_layers(context, variants, r);
   for (const char* scheme : steppers) {
+    const Integrator& integrator = context.catalogue.integrator(scheme);
     Summary sum;
     for (const VariedLayer& layer : all) {
-      const double T = layer.meeting.size.duration, limit = pressed_limit(layer.pressed, scheme, 8 * T);
+      const double T = layer.encounter.meeting.size.duration, limit = pressed_limit(layer.pressed, scheme, 8 * T);
       for (int i = 0; i < steps; ++i) {
         const double dt = 4 * T * std::pow(0.5, i);
-        const Cell one = cell(variants, layer, scheme, r, dt);
+        const Cell one = cell(layer, integrator, dt);
         sum.add(one);
         map.rows.push_back({scheme, layer.factor, dt, dt / limit, one.radius, one.energy, one.of_peak, one.of_impulse,
                             to_string(one.found), limit, one.verdict});

@@ -41,5 +41,34 @@ TEST(ContactStability, SmallStepsAreStableWhateverTheModes) {
   EXPECT_THROW(pressed_radius(pressed, "central-difference", 1e-5), std::invalid_argument);
 }
 
+// Theory of one mode: |cos x - (a/2) sin x| > 1, a = kappa h g^2/omega, for x = omega h just below pi, by a share
+// kappa g^2/omega^2 of it. However narrow, it is the limit.
+TEST(ContactStability, KicksOfOneModeFeedItInANarrowWindowBelowHalfAPeriod) {
+  const double omega = 40;
+  for (const double share : {3e-2, 1e-3, 1e-5}) {
+    const PressedModes one{VectorXd::Constant(1, omega * omega), VectorXd::Zero(1), VectorXd::Ones(1),
+                           share * omega * omega};
+    const double limit = pressed_limit(one, "exact", 8 * pi / omega) * omega / pi;
+    EXPECT_NEAR(limit, 1 - share, 0.6 * share + 1.1e-3) << share;  // bisection to a thousandth
+    EXPECT_LT(limit, 1) << share;
+    EXPECT_GT(pressed_radius(one, "exact", (1 - share / 2) * pi / omega), 1 + share) << share;
+    EXPECT_LE(pressed_radius(one, "exact", (1 - 1.2 * share) * pi / omega), 1 + 1e-9) << share;
+    EXPECT_LE(pressed_radius(one, "exact", (1 + 0.2 * share) * pi / omega), 1 + 1e-9) << share;
+    EXPECT_EQ(resonances(one, 8 * pi / omega).empty(), share > 0.02) << share;
+  }
+}
+
+// Of two modes the sum of the frequencies has windows, too, and the first of all is the limit.
+TEST(ContactStability, EveryResonanceOfTwoModesIsUnstableUnlessDamped) {
+  PressedModes two{VectorXd{{100, 900}}, VectorXd::Zero(2), VectorXd{{1, 1.5}}, 0.4};
+  const std::vector<double> windows = resonances(two, 2);
+  ASSERT_EQ(windows.size(), 6u + 19u + 12u);  // below 2 s of pi/10, pi/30 and 2 pi/40
+  for (const double h : windows) EXPECT_GT(pressed_radius(two, "exact", h), 1 + 1e-4) << h;
+  EXPECT_NEAR(pressed_limit(two, "exact", 2), windows.front(), 2e-3 * windows.front());
+  two.c = VectorXd{{1, 1}};
+  EXPECT_TRUE(resonances(two, 2).empty());
+  EXPECT_TRUE(std::isinf(pressed_limit(two, "exact", 2)));
+}
+
 }  // namespace
 }  // namespace mb

@@ -46,10 +46,15 @@ Scene thrown(const Scene& scene, double factor, double flight, double after) {
   Scene changed = scene;
   Body& body = changed.bodies.front();
   const Touchdown down = touchdown(scene, body);
-  const auto free = std::ranges::count_if(scene.bodies, [](const Body& b) { return !is_held(b); });
-  if (is_held(body) || free > 1 || !body.twist.angular_velocity.isZero(0) || !std::isfinite(down.t))
+  const auto waits = [&](const Body& b) {
+    const bool rests = b.twist.velocity.isZero(0) && b.twist.angular_velocity.isZero(0) && scene.gravity.isZero(0);
+    return is_held(b) || rests || &b == &scene.bodies.front();
+  };
+  if (is_held(body) || !std::ranges::all_of(scene.bodies, waits) || !body.twist.angular_velocity.isZero(0) ||
+      !std::isfinite(down.t))
     throw std::invalid_argument(
-        "only of one free body without spin, the first, that meets an obstacle or a body that is held");
+        "only of one body that moves freely without spin, the first, and meets an obstacle or a body that is held or "
+        "at rest where nothing pulls it");
   const Vector3d v = body.twist.velocity + down.t * scene.gravity;
   body.pose.position += down.t * body.twist.velocity + down.t * down.t / 2 * scene.gravity - flight * factor * v;
   body.twist.velocity = factor * v;
@@ -124,8 +129,9 @@ std::unique_ptr<Prepared> ContactVariants::prepare(const Scene& scene, const Con
     return std::make_unique<Keeping>(changed, std::move(prepared));
   }
   settings.time_step = contender.time_step;
-  return std::make_unique<Keeping>(changed, prepare_floating(bases_of(*changed, modes_, contender),
-                                                             context_.catalogue.integrator(contender.integrator), settings));
+  return std::make_unique<Keeping>(changed,
+                                   prepare_floating(bases_of(*changed, modes_, contender),
+                                                    context_.catalogue.integrator(contender.integrator), settings));
 }
 
 std::unique_ptr<Prepared> ContactVariants::prepare_on_mesh(const ContactContender& contender,

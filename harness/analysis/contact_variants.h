@@ -19,7 +19,8 @@ Scene linearised(const Scene& scene);  // of linear kinematics, every body
 
 // Without gravity, the first body thrown so that it meets what it meets in the scene after `flight` [s], at `factor`
 // times the velocity that it has there, and watched until `after` [s] past that. The layer stays the scene's own.
-// Throws std::invalid_argument for a first body that is held, spins or never meets, and where another one is free.
+// Throws std::invalid_argument for a first body that is held, spins or never meets, and where another one moves: it may
+// be held, or rest where nothing pulls it.
 Scene thrown(const Scene& scene, double factor, double flight, double after);
 
 class ContactVariants {
@@ -43,6 +44,7 @@ class ContactVariants {
   std::unique_ptr<Prepared> prepare(const Scene& scene, const ContactContender& contender) const;
   Trajectory simulate(const Scene& scene, const ContactContender& contender) const;  // at its sample times
   const ModalBody& body() const { return body_; }                                    // the first
+  const Modes& modes(std::size_t place) const { return modes_.at(place); }           // of any body
 
  private:
   const AnalysisContext& context_;

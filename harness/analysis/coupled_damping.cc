@@ -1,12 +1,8 @@
-// What it costs to keep the diagonal of Phi^T C Phi alone where damping couples modes:
-//
-//   error of dropping = |u_d - u| / |u|,   u: all of C, by complex modes; u_d: its diagonal; elastic part, M norm
-//
-// and whether complex modes in closed form and adaptive steps of the same system agree.
+// Damping that couples modes: what dropping the coupling costs (dropped_coupling.h), and the complex modes.
 #include <cmath>
-#include <numeric>
 
 #include "harness/analysis/analyses.h"
+#include "harness/analysis/dropped_coupling.h"
 #include "harness/analysis/modal_body.h"
 #include "mechanics/system/complex_modes.h"
 #include "modal/methods/projection.h"
@@ -17,7 +13,6 @@ namespace {
 
 constexpr int counts_tried = 5;
 constexpr Index most_modes_told = 16;
-constexpr double step_tolerance = 1e-8;  // [-] of the adaptive steps
 
 Finding errors_table() {
   return table("damping-coupling", "damping-coupling", "What dropping the coupling by damping costs",
@@ -47,38 +42,6 @@ Finding modes_table() {
        {"ratio by the diagonal", "-"}});
 }
 
-MatrixXd damping_matrix(const System& reduced) {
-  MatrixXd C(reduced.M.rows(), reduced.M.rows());
-  for (Index j = 0; j < C.cols(); ++j) C.col(j) = apply_damping(reduced, VectorXd::Unit(C.rows(), j));
-  return C;
-}
-
-double largest_coupling(const MatrixXd& C) {
-  double largest = 0;
-  for (Index i = 0; i < C.rows(); ++i)
-    for (Index j = 0; j < i; ++j)
-      if (const double scale = std::sqrt(C(i, i) * C(j, j)); scale > 0)
-        largest = std::max(largest, std::abs(C(i, j)) / scale);
-  return largest;
-}
-
-System with_diagonal_alone(const System& reduced, const MatrixXd& C) {
-  System diagonal = reduced;
-  diagonal.damping = {};
-  diagonal.modal_damping = {MatrixXd::Identity(C.rows(), C.cols()), C.diagonal()};
-  return diagonal;
-}
-
-MatrixXd displacements(const Integrator& integrator, const System& system, const Scene& scene) {
-  Settings settings;
-  settings.relative_tolerance = step_tolerance;
-  settings.load_tolerance = scene.study.load_tolerance;
-  const States states = integrator.prepare(system, settings, scene.duration)->run(sample_times(scene));
-  if (states.status != Status::ok)
-    throw std::runtime_error(std::string("damping-coupling: ") + integrator.name + ": " + to_string(states.status));
-  return states.u;
-}
-
 void add_modes(Finding& found, const VectorXd& omega, const MatrixXd& C, const ComplexModes& modes) {
   Index told = 0;
   for (Index j = 0; j < modes.mu.size() && told < most_modes_told; ++j) {
@@ -106,12 +69,11 @@ std::vector<Finding> coupled_damping(const AnalysisContext& context) {
     const MatrixXd C = damping_matrix(reduced);
     const VectorXd omega = kept.omega;
     const ComplexModes modes = complex_modes(omega, C);
-    const Integrator& closed = context.catalogue.integrator("exact");
-    const MatrixXd u = displacements(closed, reduced, scene);
-    const MatrixXd dropped = displacements(closed, with_diagonal_alone(reduced, C), scene);
-    const MatrixXd stepped = displacements(context.catalogue.integrator("sundials"), reduced, scene);
-    errors.rows.push_back({count(kept.size()), largest_coupling(C), (dropped - u).norm() / u.norm(),
-                           (stepped - u).norm() / u.norm(), modes.condition});
+    const DroppedCoupling dropped =
+        dropped_coupling(reduced, C, context.catalogue.integrator("exact"), context.catalogue.integrator("sundials"),
+                         sample_times(scene), scene.duration, scene.study.load_tolerance);
+    errors.rows.push_back(
+        {count(kept.size()), largest_coupling(C), dropped.error, dropped.closed_form_against_steps, modes.condition});
     if (r == counts.back()) add_modes(of_modes, omega, C, modes);
   }
   return {errors, of_modes};

@@ -1,21 +1,14 @@
-// How far linear theory is off, estimated from the stored energy alone and measured against finite deformation. The
-// body's answer to a u that grows is a series, each term static behind the one before,
-//
-//   f(e u + e^2 v2 + e^3 v3) = e K u + O(e^4):   K v2 = -f2(u),   K v3 = -c3(u, v2)
-//   f2 = (f(e u) + f(-e u)) / 2e^2,   c3 = ((f(e u + e^2 v2) - f(-e u + e^2 v2)) / 2 - e K u) / e^3
-//
-// v2: bending shortens what it turns; v3: what stretch and turn do to the stiffness. Estimate = |v2 + v3| / |u|, in the
-// M norm over the scene's samples. Idelsohn & Cardona 1985, Comput. Methods Appl. Mech. Engng 49, for v2 of single
-// modes.
+// How far linear theory is off, estimated from the stored energy alone (beyond_linear.h) and measured against finite
+// deformation. Estimate = |v2 + v3| / |u|, in the M norm over the scene's samples.
 #include <cmath>
 #include <stdexcept>
 
 #include "cases/contract/linear_limits.h"
 #include "harness/analysis/analyses.h"
+#include "harness/analysis/beyond_linear.h"
 #include "harness/analysis/modal_body.h"
 #include "harness/metrics/linearity.h"
 #include "harness/metrics/signal.h"
-#include "mechanics/system/stored_energy.h"
 #include "modal/methods/projection.h"
 
 namespace mb {
@@ -24,8 +17,6 @@ namespace {
 
 constexpr int most_modes = 16;
 constexpr Index most_times = 40;
-constexpr double small =
-    1e-3;  // [-] e, times the largest displacement over the extent: f2 to 1e-7, c3 to 1e-4 of itself
 
 Finding linearity_table() {
   return table("linearity", "linearity", "How far linear theory is off",
@@ -42,26 +33,6 @@ Finding linearity_table() {
                 {"error", "-"},
                 {"estimate over error", "-"},
                 {"verdict", ""}});
-}
-
-VectorXd force(const StoredEnergy& energy, const VectorXd& u) {
-  VectorXd f(u.size());
-  if (!energy.force(u, VectorXd::Zero(u.size()), f))
-    throw std::runtime_error("linearity: a deformation of a thousandth of the answer inverts");
-  return f;
-}
-
-struct Terms {
-  VectorXd v2, v3;  // [m]
-};
-Terms terms(const System& system, const ShiftedFactor& shifted, const VectorXd& u, double extent) {
-  const StoredEnergy& energy = *system.stored_energy;
-  const double e = small * extent / u.cwiseAbs().maxCoeff();
-  const VectorXd f2 = (force(energy, e * u) + force(energy, -e * u)) / (2 * e * e);
-  const VectorXd v2 = inertia_relief(system, shifted, -f2);
-  const VectorXd odd = (force(energy, e * u + e * e * v2) - force(energy, -e * u + e * e * v2)) / 2;
-  const VectorXd c3 = (odd - e * (system.K * u)) / (e * e * e);
-  return {v2, inertia_relief(system, shifted, -c3)};
 }
 
 // Every n-th sample, none of those at which nothing has moved yet.
@@ -109,13 +80,14 @@ std::vector<Finding> linearity(const AnalysisContext& context) {
   const auto squared = [&](const VectorXd& at_points) { return at_points.head(w.size()).cwiseAbs2().dot(w); };
   double of_u = 0, of_2 = 0, of_3 = 0, of_sum = 0, of_error = 0;
   for (const Index k : few_samples(u)) {
-    const Terms t = terms(body.system, body.shifted, u.col(k), extent(scene_body.shape));
+    const BeyondLinear t = beyond_linear(body.system, body.shifted, u.col(k), extent(scene_body.shape));
     of_u += squared(linear.bodies[0].displacement.col(k));
     of_2 += squared(body.model.displacement * t.v2);
     of_3 += squared(body.model.displacement * t.v3);
     of_sum += squared(body.model.displacement * (t.v2 + t.v3));
     of_error += squared(gap.col(k));
   }
+  if (!(of_u > 0)) throw std::invalid_argument("linearity: nothing moves");
   const MetricContext metric{scene, 0, body.model.points, false};
   const double strain = largest_strain(linear, metric), rotation = largest_rotation(linear, metric);
   const bool warned = strain > linear_strain || rotation > linear_rotation;

@@ -1,26 +1,16 @@
 // What nearly incompressible material does to elements of each degree: the body's static answer and its first frequency
-// over Poisson's ratio, meshes of about as many unknowns,
-//
-//   static error = |u_p - u| / |u| in the M norm,   frequency error = f_p / f - 1,   u, f: degree 4 on the finer mesh
-//
-// Hughes 1987, The Finite Element Method, ch. 4: trilinear elements lock, their error grows without bound as nu -> 1/2.
+// over Poisson's ratio (poisson_sweep.h). Hughes 1987, The Finite Element Method, ch. 4: trilinear elements lock, their
+// error grows without bound as nu -> 1/2.
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <stdexcept>
 
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/modal_body.h"
-#include "modal/bases/eigenmodes.h"
+#include "harness/analysis/poisson_sweep.h"
+#include "harness/analysis/told.h"
 
 namespace mb {
 
 namespace {
-
-constexpr double ratios[] = {0.3, 0.49, 0.499, 0.4999};  // [-] Poisson's
-constexpr int highest_degree = 4;
 
 Finding locking_table() {
   return table(
@@ -44,72 +34,30 @@ Finding growth_table() {
                 {"growth of frequency error", "-"}});
 }
 
-struct Answer {
-  VectorXd u;    // [m] at the evaluation points
-  double hertz;  // [1/s] first elastic mode
-  Index n;       // unknowns
-};
-
-Answer answer(const Scene& scene, double nu, const Resolution& mesh) {
-  auto changed = std::make_shared<Scene>(scene);
-  Body& body = changed->bodies.front();
-  body.material.poissons_ratio = nu;
-  const Model model = make_model(changed, mesh);
-  const BodyModel& modelled = model.bodies.front();
-  const System& system = modelled.full->system();
-  const ShiftedFactor shifted = shifted_factor(system, physical_shift(body));
-  const VectorXd u = inertia_relief(system, shifted, system.F).rowwise().sum();
-  const Modes modes = lowest_modes(system, 1, shifted);
-  const Index n_volume = modelled.points.volume.points.cols();
-  return {(modelled.displacement * u).head(3 * n_volume), modes.omega(modes.n_rigid) / (2 * pi), system.M.rows()};
-}
-
-// As many nodes along each edge at another degree.
-Resolution with_degree(const Resolution& own, int degree) {
-  Resolution mesh{degree, {}};
-  for (const int n : own.cells)
-    mesh.cells.push_back(std::max(1, static_cast<int>(std::lround(1.0 * n * own.degree / degree))));
-  return mesh;
-}
-
-void require_sweep_possible(const Body& body) {
-  if (!std::holds_alternative<Box>(body.shape) || !is_uniform(body.material) || body.theory != Theory::solid)
-    throw std::invalid_argument("locking is swept over boxes of one isotropic material");
-}
-
-double relative_error(const VectorXd& u, const VectorXd& truth, const VectorXd& weights) {
-  const VectorXd w = weights.replicate(1, 3).transpose().reshaped();
-  return std::sqrt((u - truth).cwiseAbs2().dot(w) / truth.cwiseAbs2().dot(w));
+std::vector<Finding> tables(const PoissonSweep& all, const std::vector<SweptAnswer>& truths) {
+  Finding errors = locking_table(), growth = growth_table();
+  for (const auto& [degree, answers] : all.answers) {
+    const std::string element = fmt::format("Q{}", degree);
+    std::vector<LockingError> found;
+    for (size_t i = 0; i < answers.size(); ++i) {
+      found.push_back(locking_error(answers[i], truths[i], all.weights));
+      errors.rows.push_back({element, all.ratios[i], to_string(answers[i].mesh), count(answers[i].n),
+                             found[i].of_displacement, found[i].of_frequency});
+    }
+    const auto [first_u, first_f] = found.front();
+    const auto [last_u, last_f] = found.back();
+    growth.rows.push_back({element, first_u, last_u, last_u / first_u, first_f, last_f, last_f / first_f});
+  }
+  return {errors, growth};
 }
 
 }  // namespace
 
 std::vector<Finding> locking(const AnalysisContext& context) {
-  const Scene& scene = *context.scene;
-  const Body& body = scene.bodies.front();
-  require_sweep_possible(body);
-  Resolution finest = of_body(scene.truth.finer, 0);
-  finest.degree = highest_degree;
-  for (int& n : finest.cells) n *= 2;
-  const EvaluationPoints points = evaluation_points(scene, body);
-  Finding all = locking_table(), growth = growth_table();
-  std::map<int, std::vector<Vector3d>> errors;  // by degree, one a ratio: static, frequency
-  for (const double nu : ratios) {
-    const Answer truth = answer(scene, nu, finest);
-    for (int degree = 1; degree < highest_degree; ++degree) {
-      const Resolution mesh = with_degree(body.resolution, degree);
-      const Answer found = answer(scene, nu, mesh);
-      const double of_u = relative_error(found.u, truth.u, points.volume.weights), of_f = found.hertz / truth.hertz - 1;
-      errors[degree].push_back({of_u, of_f, 0});
-      all.rows.push_back({fmt::format("Q{}", degree), nu, to_string(mesh), count(found.n), of_u, of_f});
-    }
-  }
-  for (const auto& [degree, over] : errors) {
-    const Vector3d first = over.front(), last = over.back();
-    growth.rows.push_back(
-        {fmt::format("Q{}", degree), first[0], last[0], last[0] / first[0], first[1], last[1], last[1] / first[1]});
-  }
-  return {all, growth};
+  const PoissonSweep all = poisson_sweep(*context.scene, {0.3, 0.49, 0.499, 0.4999});
+  std::vector<Finding> found = tables(all, all.truths);
+  add_bars(found, tables(all, all.beside));
+  return found;
 }
 
 }  // namespace mb

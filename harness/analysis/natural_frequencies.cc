@@ -140,6 +140,8 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
     found.rows.back().insert(found.rows.back().end(), errors.begin(), errors.end());
     found.rows.back().push_back(observed_order(meshes, errors, reference.uncertainty));
     found.rows.back().push_back(convergence_index(meshes, row, i));
+    found.bars.emplace_back(found.columns.size(), nan);  // of errors: what the reference leaves open
+    for (size_t j = 3; j < 4 + meshes.size(); ++j) found.bars.back()[j] = reference.uncertainty;
   }
   return {found};
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "harness/analysis/analyses.h"
+#include "harness/analysis/context_test.h"
 
 namespace mb {
 namespace {
@@ -23,17 +23,7 @@ Scene cube(std::array<Resolution, 3> meshes, std::vector<double> hertz) {
   return scene;
 }
 
-Finding frequencies_of(const Scene& scene) {
-  const auto shared = std::make_shared<const Scene>(scene);
-  const Catalogue catalogue = default_catalogue();
-  const TruthSet none;
-  std::unique_ptr<Model> model;
-  const AnalysisContext context{shared, catalogue, none, [&](const Resolution& r) -> const Model& {
-                                  model = std::make_unique<Model>(make_model(shared, r));
-                                  return *model;
-                                }};
-  return natural_frequencies(context).front();
-}
+Finding frequencies_of(const Scene& scene) { return test::analysed("frequencies", scene).front(); }
 
 double number(const Finding& found, size_t row, const std::string& column) {
   for (size_t i = 0; i < found.columns.size(); ++i)

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/analysis/step_damping.h"
 #include "harness/analysis/step_limit.h"
 #include "mechanics/system/exact.h"
 
@@ -14,18 +13,11 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double largest_radius(const MappedSystem& mapped, const Scheme& scheme, double dt) {
-  double largest = 0;
-  for (Index i = 0; i < mapped.omega.size(); ++i)
-    largest = std::max(largest, spectral_radius(scheme.amplification(mapped.omega(i) * dt, mapped.zeta(i))));
-  return largest;
-}
-
 // u0 = +-1/omega_i: kinetic energy none, strain energy 1/2 in every elastic mode.
 System in_free_vibration(const MappedSystem& mapped) {
-  const Index n = mapped.system.M.rows(), n_elastic = mapped.omega.size();
+  const Index n = mapped.system.M.rows(), n_elastic = mapped.modes.omega.size();
   VectorXd u = VectorXd::Zero(n);
-  for (Index i = 0; i < n_elastic; ++i) u(n - n_elastic + i) = (i % 2 ? -1 : 1) / mapped.omega(i);
+  for (Index i = 0; i < n_elastic; ++i) u(n - n_elastic + i) = (i % 2 ? -1 : 1) / mapped.modes.omega(i);
   return let_go(mapped.system, u);
 }
 
@@ -43,14 +35,14 @@ double largest_energy(const MappedSystem& mapped, const Integrator& integrator, 
   const VectorXd k = free.K.diagonal();
   const VectorXd twice = states.v.colwise().squaredNorm().transpose() +
                          (k.asDiagonal() * states.u).cwiseProduct(states.u).colwise().sum().transpose();
-  return twice.maxCoeff() / static_cast<double>(mapped.omega.size());
+  return twice.maxCoeff() / static_cast<double>(mapped.modes.omega.size());
 }
 
 double error_of_steps(const MappedSystem& mapped, const Integrator& integrator, double dt) {
   const double end = mapped.times(mapped.times.size() - 1);
   const States states = integrator.prepare(mapped.system, stepping_by(dt), end)->run(mapped.times);
   if (states.status != Status::ok) return std::numeric_limits<double>::infinity();
-  return (states.u.bottomRows(mapped.omega.size()) - mapped.exact).norm() / mapped.exact.norm();
+  return (states.u.bottomRows(mapped.modes.omega.size()) - mapped.exact).norm() / mapped.exact.norm();
 }
 
 // Energy grows by rho^2 a step at last: what would not pass the bound in these steps is not told from what is stable.
@@ -76,20 +68,14 @@ const char* to_string(StepClass of) {
 }
 
 MappedSystem mapped_system(System system, const VectorXd& times, double duration, double load_tolerance) {
-  const Index n_elastic = system.M.rows() - system.R.cols();
-  const VectorXd omega = VectorXd(system.K.diagonal()).tail(n_elastic).cwiseSqrt();
-  VectorXd zeta(n_elastic);
-  for (Index i = 0; i < n_elastic; ++i) {
-    const VectorXd e = VectorXd::Unit(system.M.rows(), system.R.cols() + i);
-    zeta(i) = std::max(0.0, e.dot(apply_damping(system, e)) / (2 * omega(i)));
-  }
-  MatrixXd motion = exact(system, duration, load_tolerance)->run(times).u.bottomRows(n_elastic);
-  return {std::move(system), omega, zeta, times, std::move(motion)};
+  SteppedModes modes = stepped_modes(system);
+  MatrixXd motion = exact(system, duration, load_tolerance)->run(times).u.bottomRows(modes.omega.size());
+  return {std::move(system), std::move(modes), times, std::move(motion)};
 }
 
 StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps) {
   const Scheme* scheme = scheme_of(integrator.name, mapped.system);
-  StepCell cell{dt, scheme ? largest_radius(mapped, *scheme, dt) : nan, n_steps, 0, nan, StepClass::unstable, {}};
+  StepCell cell{dt, scheme ? step_radius(mapped.modes, *scheme, dt) : nan, n_steps, 0, nan, StepClass::unstable, {}};
   cell.predicted = prediction(cell.radius, n_steps);
   cell.energy = largest_energy(mapped, integrator, dt, n_steps);
   if (!(cell.energy <= energy_bound)) return cell;
@@ -107,7 +93,9 @@ std::string verdict(const StepCell& cell) {
 
 double predicted_limit(const MappedSystem& mapped, const std::string& integrator) {
   const Scheme* scheme = scheme_of(integrator, mapped.system);
-  return scheme ? measured_limit(*scheme, mapped.omega, mapped.zeta).dt : nan;
+  if (!scheme) return nan;
+  if (mapped.modes.coupled.K.size() > 0) return stable_step(mapped.modes.coupled, scheme->integrator);
+  return measured_limit(*scheme, mapped.modes.omega, mapped.modes.zeta).dt;
 }
 
 }  // namespace mb

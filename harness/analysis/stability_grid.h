@@ -4,7 +4,8 @@
 //   inaccurate   bounded, and under the scene's loads more than 5 % off the closed form
 //   stable       bounded and within that
 //
-// beside rho, the largest spectral radius of the one-step amplification over the modes (mechanics/system/stability.h).
+// beside rho, the largest spectral radius of the one-step amplification over the modes, or of one step of all of them
+// where damping couples them (mechanics/system/stepped_modes.h).
 // Free vibration: from rest, every elastic mode with the same energy. Exact motion only loses energy. What a stable
 // scheme makes of it may swing: central differences at x = omega h by 1/(1 - x^2/4), below 1e4 but for the last
 // hundredth of a per cent before the limit.
@@ -14,7 +15,7 @@
 #include <string>
 
 #include "cases/contract/method.h"
-#include "mechanics/system/stability.h"
+#include "mechanics/system/stepped_modes.h"
 
 namespace mb {
 
@@ -27,9 +28,9 @@ constexpr double inaccurate_from = 0.05;  // [-] of the error in the M norm over
 // A system in modal coordinates, as project() makes it: M = I, K diagonal, the first R.cols() coordinates rigid.
 struct MappedSystem {
   System system;
-  VectorXd omega, zeta;  // [rad/s], [-] of its elastic modes
-  VectorXd times;        // [s] of the scene's samples
-  MatrixXd exact;        // elastic coordinates in closed form at these, n_elastic x n_t
+  SteppedModes modes;
+  VectorXd times;  // [s] of the scene's samples
+  MatrixXd exact;  // elastic coordinates in closed form at these, n_elastic x n_t
 };
 // duration [s] bounds the times.
 MappedSystem mapped_system(System system, const VectorXd& times, double duration, double load_tolerance);
@@ -48,7 +49,7 @@ StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, dou
 // "as predicted", "not as predicted", "too slow to be seen", "no prediction"
 std::string verdict(const StepCell& cell);
 
-// dt [s] where rho passes 1; 0: at any step; infinity: nowhere; NaN: unknown.
+// dt [s] where rho passes 1; 0: at any step; infinity: nowhere; NaN: unknown. To 1e-9 of it.
 double predicted_limit(const MappedSystem& mapped, const std::string& integrator);
 
 }  // namespace mb

@@ -61,10 +61,4 @@ double run_damping(const System& system, const SteppedMode& mode, const Integrat
   return damping_of(found(0), found(1));
 }
 
-const Scheme* scheme_of(const std::string& integrator, const System& system) {
-  for (const Scheme& one : schemes())
-    if (one.integrator == integrator && steps_as(one, system)) return &one;
-  return nullptr;
-}
-
 }  // namespace mb

@@ -19,7 +19,4 @@ double step_damping(const Scheme& scheme, double omega_h, double zeta);  // omeg
 // where it does not swing or is not finite.
 double run_damping(const System& system, const SteppedMode& mode, const Integrator& integrator, double dt);
 
-// The scheme by which the integrator steps the system; nullptr where none is known.
-const Scheme* scheme_of(const std::string& integrator, const System& system);
-
 }  // namespace mb

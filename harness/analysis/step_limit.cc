@@ -5,10 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "mechanics/algebra/cholesky.h"
-#include "mechanics/algebra/noise.h"
-#include "modal/bases/arpack.h"
-
 namespace mb {
 
 namespace {
@@ -44,15 +40,6 @@ double formula_limit(const Scheme& scheme, const VectorXd& omega, const VectorXd
 std::vector<Scheme> explicit_schemes() {
   return {scheme("explicit-euler"), scheme("symplectic-euler"), scheme("symplectic-euler, implicit damping"),
           scheme("central-difference"), scheme("central-difference, lagged damping")};
-}
-
-bool steps_as(const Scheme& scheme, const System& system) {
-  if (scheme.integrator.empty()) return false;
-  if (scheme.integrator != "central-difference" || !is_damped(system)) return true;
-  const bool lumped = system.lumped_mass.rows() > 0, by_mass = system.damping.alpha != 0;
-  const bool coupling = system.damping.beta != 0 || (system.modal_damping.d.array() != 0).any();
-  if (scheme.name == "central-difference") return !lumped || !coupling;
-  return lumped && !by_mass;
 }
 
 System let_go(const System& system, const VectorXd& phi) {
@@ -96,43 +83,6 @@ std::string growth_verdict(const GrowthRun& run) {
   const double theory = std::log(run.theory), observed = std::log(run.observed);
   const double allowed = std::abs(theory) < neutral ? 1e-6 : 0.01 * std::abs(theory);
   return std::abs(observed - theory) <= allowed ? "confirmed" : "not confirmed";
-}
-
-SteppedMode highest_mode(const System& system) {
-  const auto n = static_cast<int>(system.K.rows());
-  SteppedMode mode;
-  if (n < 12) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(system.K), MatrixXd(system.M));
-    mode.phi = solver.eigenvectors().col(n - 1);
-  } else {
-    const Cholesky mass(system.M);
-    const Operator apply = [&](const VectorXd& x, const VectorXd&) { return mass.solve(VectorXd(system.K * x)); };
-    const InnerProduct inner_product = [&](const VectorXd& x) -> VectorXd { return system.M * x; };
-    // The eigenvalue is wrong by the square of this, the vector by it over a gap: growth is asked to 1 %.
-    mode.phi = largest_ritz(apply, inner_product, 1, std::min(n, 40), 1e-7, uniform_noise(n, 3)).vectors.col(0);
-  }
-  mode.phi /= std::sqrt(mode.phi.dot(system.M * mode.phi));
-  mode.M_phi = system.M * mode.phi;
-  mode.omega = std::sqrt(mode.phi.dot(system.K * mode.phi));
-  mode.zeta = std::max(0.0, mode.phi.dot(apply_damping(system, mode.phi)) / (2 * mode.omega));
-  return mode;
-}
-
-System with_lumped_mass(const System& system) {
-  if (system.lumped_mass.rows() == 0) throw std::invalid_argument("the system has no lumped mass");
-  System lumped = system;
-  lumped.M = system.lumped_mass;
-  if (lumped.R.cols() > 0) {
-    const MatrixXd gram = lumped.R.transpose() * (lumped.M * lumped.R);
-    lumped.R = gram.llt().matrixU().solve<Eigen::OnTheRight>(lumped.R);
-  }
-  return lumped;
-}
-
-System with_consistent_mass(const System& system) {
-  System consistent = system;
-  consistent.lumped_mass.resize(0, 0);
-  return consistent;
 }
 
 }  // namespace mb

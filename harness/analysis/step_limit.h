@@ -13,6 +13,7 @@
 
 #include "cases/contract/method.h"
 #include "mechanics/system/stability.h"
+#include "modal/bases/highest_mode.h"
 
 namespace mb {
 
@@ -26,18 +27,10 @@ double formula_limit(const Scheme& scheme, const VectorXd& omega, const VectorXd
 
 // Explicit schemes of schemes() and their damping variants, as this analysis lists them.
 std::vector<Scheme> explicit_schemes();
-// Whether the integrator named by the scheme damps the system as the scheme does: central differences treat damping
-// implicitly but for what a lumped mass would couple (central_difference.h).
-bool steps_as(const Scheme& scheme, const System& system);
 
 // The system without its loads, let go from rest in phi.
 System let_go(const System& system, const VectorXd& phi);
 
-// A mode of the mass with which the integrator steps, phi^T M phi = 1.
-struct SteppedMode {
-  double omega, zeta;  // [rad/s], [-]
-  VectorXd phi, M_phi;
-};
 struct GrowthRun {
   double dt;                // [s]
   long n_steps;             // over which growth is taken
@@ -49,12 +42,5 @@ std::string growth_verdict(const GrowthRun& run);
 // As many steps as growth by a factor 3 takes, in [20, most_steps]. system: its loads and initial state are not used.
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme& scheme, const Integrator& integrator,
                      double dt, long most_steps);
-
-// The mode of highest frequency by Lanczos on M^-1 K; zeta by C of the system.
-SteppedMode highest_mode(const System& system);
-
-// The system with its lumped mass as its only one, R orthonormal in it, as explicit integrators see it.
-System with_lumped_mass(const System& system);
-System with_consistent_mass(const System& system);  // and without the lumped one
 
 }  // namespace mb

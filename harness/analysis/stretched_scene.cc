@@ -41,6 +41,11 @@ Resolution with_cells(Resolution mesh, const Shape& shape, Index axis, double fa
   return mesh;
 }
 
+void require_one_solid(const Scene& scene) {
+  if (scene.bodies.size() != 1 || !scene.contacts.empty() || scene.bodies.front().theory != Theory::solid)
+    throw std::invalid_argument("slenderness: of one solid body that nothing touches");
+}
+
 }  // namespace
 
 double slenderness(const Shape& shape) {
@@ -48,9 +53,31 @@ double slenderness(const Shape& shape) {
   return l.along / l.across;
 }
 
+Scene proportioned(const Scene& scene, double aspect) {
+  require_one_solid(scene);
+  const auto* box = std::get_if<Box>(&scene.bodies.front().shape);
+  if (!box || !(aspect >= 1)) throw std::invalid_argument("aspect: of boxes, from 1 on");
+  const double least = box->size.minCoeff(), most = box->size.maxCoeff(), factor = aspect * least / most;
+  const auto is_long = (box->size.array() > least * (1 + 1e-9)).eval();
+  if (!is_long.any()) throw std::invalid_argument("aspect: a cube has no longer extent to change");
+  const Vector3d by = is_long.select(Eigen::Array3d::Constant(factor), 1.0);
+  const auto move = [&](std::optional<Disc>& disc) {
+    if (!disc) return;
+    disc->centre = disc->centre.cwiseProduct(by);
+    if (is_long.count() == 2) disc->radius *= factor;
+  };
+  Scene changed = scene;
+  Body& body = changed.bodies.front();
+  body.shape = Box{box->size.cwiseProduct(by)};
+  for (Support& support : body.supports) move(support.patch.disc);
+  for (Load& load : changed.loads)
+    for (Traction& traction : load.tractions) move(traction.patch.disc);
+  for (Probe& probe : changed.probes) probe.point = probe.point.cwiseProduct(by);
+  return changed;
+}
+
 Scene stretched(const Scene& scene, double ratio) {
-  if (scene.bodies.size() != 1 || !scene.contacts.empty() || scene.bodies.front().theory != Theory::solid)
-    throw std::invalid_argument("slenderness: of one solid body that nothing touches");
+  require_one_solid(scene);
   if (!(ratio > 0)) throw std::invalid_argument("slenderness: must be above 0");
   Scene changed = scene;
   Body& body = changed.bodies.front();

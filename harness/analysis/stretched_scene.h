@@ -17,6 +17,11 @@ double slenderness(const Shape& shape);  // [-] l/w >= 1; throws std::invalid_ar
 // std::invalid_argument for more than one body, contacts, other shapes than boxes and cylinders, and theories of beams.
 Scene stretched(const Scene& scene, double ratio);
 
+// A box with the ratio of its longest to its shortest extent: every extent longer than the shortest one is changed in
+// proportion, places with it, radii of discs where two are changed; the mesh keeps its number of cells. aspect [-]
+// >= 1. Throws std::invalid_argument for a cube, and as stretched() does.
+Scene proportioned(const Scene& scene, double aspect);
+
 // factor > 0. Throws std::invalid_argument for expressions.
 History slowed(const History& history, double factor);
 Scene slowed(Scene scene, double factor);  // histories of loads and drives, duration, samples

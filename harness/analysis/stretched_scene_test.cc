@@ -44,6 +44,23 @@ TEST(StretchedScene, KeepsTheSectionAndTheSizeOfCells) {
   EXPECT_DOUBLE_EQ(longer.loads[0].tractions[0].patch.disc->radius, 0.02);
 }
 
+TEST(ProportionedScene, ChangesEveryExtentButTheShortestAndPlacesWithThem) {
+  const Scene long_one = proportioned(bar(), 200);
+  EXPECT_TRUE(std::get<Box>(long_one.bodies[0].shape).size.isApprox(Vector3d(20, 0.1, 0.1), 1e-14));
+  EXPECT_TRUE(long_one.probes[0].point.isApprox(Vector3d(10, 0, 0.05), 1e-14));
+  EXPECT_EQ(long_one.bodies[0].resolution.cells, bar().bodies[0].resolution.cells);
+  Scene plate = one_body(Box{{0.5, 1, 0.01}}, {1e6, 0.3, 1000, {}}, {2, {4, 4, 1}});
+  plate.loads.push_back({"press", Step{}, {{"body", {"z-max", Disc{{0.1, 0.2, 0.005}, 0.05}}, {0, 0, -1}}}});
+  const Scene block = proportioned(plate, 10);
+  EXPECT_TRUE(std::get<Box>(block.bodies[0].shape).size.isApprox(Vector3d(0.05, 0.1, 0.01), 1e-14));
+  const Disc disc = *block.loads[0].tractions[0].patch.disc;
+  EXPECT_TRUE(disc.centre.isApprox(Vector3d(0.01, 0.02, 0.005), 1e-14));
+  EXPECT_DOUBLE_EQ(disc.radius, 0.005);
+  const Scene cube = one_body(Box{{0.1, 0.1, 0.1}}, {1e6, 0.3, 1000, {}}, {2, {1, 1, 1}});
+  EXPECT_THROW(proportioned(cube, 2), std::invalid_argument);
+  EXPECT_THROW(proportioned(plate, 0.5), std::invalid_argument);
+}
+
 TEST(StretchedScene, SlowsHistories) {
   const Scene slow = slowed(bar(), 3);
   EXPECT_DOUBLE_EQ(std::get<Pulse>(slow.loads[0].history).duration, 0.15);

@@ -1,0 +1,63 @@
+#include "harness/analysis/told.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "harness/analysis/footings.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TruthSet neighbour_of(const TruthSet& truth) {
+  TruthSet other = truth;
+  other.finer = truth.coarser;
+  other.same_mesh = truth.loose;
+  return other;
+}
+
+double number(const FindingCell& cell) { return cell.index() == 1 ? std::get<double>(cell) : nan; }
+
+// Of rows that tell of the same, which their texts and counts of settings say.
+bool same_texts(const std::vector<FindingCell>& a, const std::vector<FindingCell>& b) {
+  return std::ranges::equal(a, b, [](const FindingCell& x, const FindingCell& y) {
+    return x.index() == y.index() && (x.index() == 1 || x == y);
+  });
+}
+
+// Counts and settings are the same in both and have no bar.
+double distance(const FindingColumn& column, const FindingCell& a, const FindingCell& b) {
+  const double difference = std::abs(number(a) - number(b));
+  return column.unit.empty() || !std::isfinite(difference) ? nan : difference;
+}
+
+}  // namespace
+
+void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours) {
+  for (Finding& finding : findings) {
+    const auto other = std::ranges::find(neighbours, finding.name, &Finding::name);
+    if (other == neighbours.end() || other->rows.size() != finding.rows.size()) continue;
+    if (finding.bars.empty()) finding.bars.assign(finding.rows.size(), std::vector(finding.columns.size(), nan));
+    for (std::size_t i = 0; i < finding.rows.size(); ++i) {
+      const auto &row = finding.rows[i], &beside = other->rows[i];
+      if (!same_texts(row, beside)) continue;
+      for (std::size_t j = 0; j < row.size(); ++j)
+        finding.bars[i][j] = std::fmax(finding.bars[i][j], distance(finding.columns[j], row[j], beside[j]));
+    }
+  }
+}
+
+std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& context) {
+  std::vector<Finding> findings = analysis.run(context);
+  if (analysis.of_truth && context.scene->contacts.empty()) {
+    const TruthSet neighbour = neighbour_of(context.truth);
+    add_bars(findings, analysis.run({context.scene, context.catalogue, neighbour, context.model}));
+  }
+  for (Finding& finding : findings) finding.footing = footing_of(finding.name);
+  return findings;
+}
+
+}  // namespace mb

@@ -1,0 +1,17 @@
+// What an analysis finds, with what it is held to and an error bar beside every number that follows from the truth of
+// the case: the distance of the same tables told of the truth's neighbour, `coarser` in the place of `finer` and rtol
+// in that of rtol/100 (harness/study/truth.h).
+#pragma once
+
+#include "harness/analysis/analysis.h"
+
+namespace mb {
+
+// Throws as the analysis does. Scenes with contact are not told twice: their budget has its own neighbours.
+std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& context);
+
+// bars = |cell - cell of the other| where tables, rows and all their texts are the same, else NaN; bars that a table
+// has of its own stay where they are larger.
+void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours);
+
+}  // namespace mb

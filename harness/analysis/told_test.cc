@@ -1,0 +1,64 @@
+#include "harness/analysis/told.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "harness/analysis/footings.h"
+#include "harness/analysis/modal_body.h"
+
+namespace mb {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Finding one(std::vector<std::vector<FindingCell>> rows) {
+  Finding finding = table("a", "a", "A", "", {{"contender", ""}, {"modes", ""}, {"error", "-"}});
+  finding.rows = std::move(rows);
+  return finding;
+}
+
+TEST(AddBars, AreDistancesOfNumbersThatHaveAUnit) {
+  std::vector<Finding> found{one({{"x", 4.0, 0.5}, {"y", 8.0, 0.25}})};
+  add_bars(found, {one({{"x", 4.0, 0.625}, {"y", 8.0, 0.25}})});
+  ASSERT_EQ(found[0].bars.size(), 2u);
+  EXPECT_EQ(found[0].bars[0][2], 0.125);
+  EXPECT_EQ(found[0].bars[1][2], 0);
+  EXPECT_TRUE(std::isnan(found[0].bars[0][0]));
+  EXPECT_TRUE(std::isnan(found[0].bars[0][1])) << "a count";
+}
+
+TEST(AddBars, AreNoneWhereRowsTellOfSomethingElse) {
+  const std::vector<std::vector<FindingCell>> rows{{"x", 4.0, 0.5}};
+  std::vector<Finding> found{one(rows)};
+  add_bars(found, {one({{"z", 4.0, 0.6}})});
+  EXPECT_TRUE(std::isnan(found[0].bars[0][2])) << "another contender";
+  add_bars(found, {one({{"x", 4.0, nan}})});
+  EXPECT_TRUE(std::isnan(found[0].bars[0][2])) << "no number";
+  std::vector<Finding> longer{one(rows)};
+  add_bars(longer, {one({{"x", 4.0, 0.5}, {"y", 4.0, 0.5}})});
+  EXPECT_TRUE(longer[0].bars.empty()) << "more rows";
+  std::vector<Finding> alone{one(rows)};
+  add_bars(alone, {});
+  EXPECT_TRUE(alone[0].bars.empty());
+}
+
+TEST(AddBars, LargerOnesOfTheTableItselfStay) {
+  std::vector<Finding> found{one({{"x", 4.0, 0.5}})};
+  found[0].bars = {{nan, nan, 0.2}};
+  add_bars(found, {one({{"x", 4.0, 0.6}})});
+  EXPECT_EQ(found[0].bars[0][2], 0.2);
+}
+
+TEST(Footings, AreStatedOfATableOrItIsNamed) {
+  EXPECT_EQ(footing_of("multiplets").kind, "second route");
+  for (const char* table : {"budget", "stability-summary", "probe-extremes"}) {
+    const Footing footing = footing_of(table);
+    EXPECT_FALSE(footing.reference.empty() || footing.kind.empty() || footing.uncertainty.empty()) << table;
+  }
+  EXPECT_THROW(footing_of("surprise"), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace mb
