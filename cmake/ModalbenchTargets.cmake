@@ -1,5 +1,6 @@
 # mb_library(NAME LINK... [PRIVATE_LINK ...] [HEADERS to precompile])  library mb_NAME of every source of the current folder that is no test.
-# mb_tests(NAME [LINK ...])                     one GoogleTest binary of every *_test.cc of the current folder.
+# mb_tests(NAME [LINK ...] [SHARED ...])        one GoogleTest binary of every *_test.cc of the current folder; suites of
+#   label `cases` whose tests share what the first of them computes, SHARED, run as one test each.
 # mb_fuzz(NAME SOURCE... LINK ...)              one libFuzzer binary; the first source, X_fuzz.cc, names its seeds, X_fuzz/
 
 set(MODALBENCH_SANITIZE "" CACHE STRING "Sanitizers to compile with: address, undefined (comma-separated)")
@@ -24,13 +25,13 @@ target_compile_options(mb_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
 if(NOT MODALBENCH_SANITIZE)
   target_compile_options(mb_warnings INTERFACE -Werror)
 endif()
-if(MODALBENCH_FUZZ)   # all that readers run through: libFuzzer follows its branches and comparisons
-  add_compile_options(-fsanitize=fuzzer-no-link)
+if(MODALBENCH_FUZZ)
   add_custom_target(fuzz_targets)
 endif()
 if(MODALBENCH_SANITIZE)
   # What the address sanitizer, Eigen's assertions and the processor report as well would take a third of the time to
-  # compile.
+  # compile. pointer-overflow: parts of empty matrices, which Eigen 3.4 makes by an offset to null (Block.h) and never
+  # reads.
   target_compile_options(mb_warnings INTERFACE -fsanitize=${MODALBENCH_SANITIZE} -fno-omit-frame-pointer
     -fno-sanitize=null,alignment,vptr,object-size,pointer-overflow -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${MODALBENCH_SANITIZE})
@@ -68,6 +69,11 @@ function(mb_library name)
   target_link_libraries(mb_${name} PRIVATE $<BUILD_INTERFACE:mb_warnings>)
 endfunction()
 
+set(MODALBENCH_PATIENCE 1)   # times the limits of tests [s]
+if(MODALBENCH_SANITIZE)
+  set(MODALBENCH_PATIENCE 10)
+endif()
+
 if(BUILD_TESTING)
   find_package(GTest 1.12 REQUIRED)
   include(GoogleTest)
@@ -81,7 +87,7 @@ function(mb_tests name)
   if(NOT BUILD_TESTING)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LINK;SHARED" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cc)
   if(NOT sources)
     return()
@@ -94,10 +100,19 @@ function(mb_tests name)
   target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(${name}_test PRIVATE MB_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   set(common NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60)
+  math(EXPR verification_limit "300 * ${MODALBENCH_PATIENCE}")
+  math(EXPR cases_limit "600 * ${MODALBENCH_PATIENCE}")
   gtest_discover_tests(${name}_test TEST_FILTER *Verification.* TEST_LIST ${name}_verification ${common}
-    PROPERTIES LABELS verification TIMEOUT 300)
-  gtest_discover_tests(${name}_test TEST_FILTER *Cases.* TEST_LIST ${name}_cases ${common}
-    PROPERTIES LABELS cases TIMEOUT 600)
+    PROPERTIES LABELS verification TIMEOUT ${verification_limit})
+  list(TRANSFORM ARG_SHARED APPEND ".*")
+  list(JOIN ARG_SHARED ":" shared)
+  gtest_discover_tests(${name}_test TEST_FILTER *Cases.*:-${shared} TEST_LIST ${name}_cases ${common}
+    PROPERTIES LABELS cases TIMEOUT ${cases_limit})
+  foreach(suite IN LISTS ARG_SHARED)
+    string(REPLACE ".*" "" suite_name ${suite})
+    add_test(NAME ${suite_name} COMMAND ${name}_test --gtest_brief=1 --gtest_filter=${suite})
+    set_tests_properties(${suite_name} PROPERTIES LABELS cases TIMEOUT ${cases_limit})
+  endforeach()
   set(unit -*Verification.*:*Cases.*)
   if(NOT MODALBENCH_SANITIZE)
     gtest_discover_tests(${name}_test TEST_FILTER ${unit} TEST_LIST ${name}_unit ${common}
@@ -118,6 +133,11 @@ function(mb_fuzz name source)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   add_executable(${name}_fuzz ${source} ${ARG_UNPARSED_ARGUMENTS})
   target_link_libraries(${name}_fuzz PRIVATE mb_warnings ${ARG_LINK})
+  foreach(library ${name}_fuzz ${ARG_LINK})   # libFuzzer follows the branches and comparisons of what readers run through
+    if(library MATCHES "^mb_(mechanics|cases)$|_fuzz$")
+      target_compile_options(${library} PRIVATE -fsanitize=fuzzer-no-link)
+    endif()
+  endforeach()
   target_compile_definitions(${name}_fuzz PRIVATE MB_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_options(${name}_fuzz PRIVATE -fsanitize=fuzzer)
   set_target_properties(${name}_fuzz PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/fuzz)

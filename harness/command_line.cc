@@ -5,14 +5,20 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <iostream>
 
+#include "cases/scene/printable.h"
+#include "harness/commands/bytes.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
 #include "harness/main.h"
 #include "harness/store/store.h"
+#include "harness/study/memory.h"
+#include "harness/study/processes.h"
 #include "mechanics/algebra/threads.h"
+#include "reports/publish.h"
 
 namespace mb {
 
@@ -21,19 +27,42 @@ namespace {
 volatile std::sig_atomic_t interrupt_requested = 0;  // what a signal handler may touch
 pid_t own_process = 0;
 
-// Processes forked for a run meet the same Ctrl-C: one of them tells.
+// Ctrl-C reaches every process of a terminal, `kill` one: the first passes it on and tells. Those forked for a run may
+// thus meet it twice; they end with the first in any case (processes.h).
 void on_interrupt(int) {
-  if (interrupt_requested) std::_Exit(130);  // a second Ctrl-C does not wait for the run at hand
+  if (getpid() != own_process) {
+    interrupt_requested = 1;
+    return;
+  }
+  if (interrupt_requested) std::_Exit(130);  // the second does not wait for the run at hand
   interrupt_requested = 1;
+  signal_processes(SIGTERM);
   static constexpr char text[] = "finishing what is under way; Ctrl-C again ends at once\n";
-  if (getpid() != own_process) return;
   [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, text, sizeof text - 1);
 }
 
+// Ends a run in good order on Ctrl-C, on SIGTERM and where its terminal is closed, but for what nohup began.
+class Interruptible {
+ public:
+  Interruptible() {
+    interrupt_requested = 0;
+    own_process = getpid();
+    for (size_t i = 0; i < signals.size(); ++i) before_[i] = std::signal(signals[i], on_interrupt);
+    if (before_.back() == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  }
+  ~Interruptible() {
+    for (size_t i = 0; i < signals.size(); ++i) std::signal(signals[i], before_[i]);
+  }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<void (*)(int), 3> before_{};
+};
+
 int run_until_interrupted(const RunCommandOptions& options, const Catalogue& catalogue, const Console& console) {
-  interrupt_requested = 0;
-  own_process = getpid();
-  std::signal(SIGINT, on_interrupt);
+  const Interruptible while_it_runs;
   return run_command(options, catalogue, console);
 }
 
@@ -100,7 +129,7 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
       ->take_all()
       ->allow_extra_args(false);
   command->add_option("--jobs", options->jobs, "processes; times are taken afterwards, alone")
-      ->check(CLI::Range(1, 256))
+      ->check(CLI::Range(1, most_processes))
       ->capture_default_str();
   command->add_option("--threads", options->threads, "of the BLAS, in timed parts, too; records name them")
       ->check(CLI::Range(1, 64))
@@ -173,17 +202,30 @@ void add_clean(CLI::App& app, const Catalogue& catalogue, Action& action) {
 }
 
 // Runs the action; names what went wrong and returns the exit code that says so.
-int guarded(const Action& action, const Console& console) try {
-  return action(console);
-} catch (const CaseErrors& errors) {
-  print(errors, console.err);
-  return 2;
-} catch (const UsageError& error) {
-  fmt::print(console.err, "modalbench: {}\n", error.what());
-  return 2;
-} catch (const std::exception& error) {
-  fmt::print(console.err, "modalbench: {}\n", error.what());
-  return 3;
+int guarded(const Action& action, const std::string& command, const Console& console) {
+  const auto say = [&](const std::string& what, int code) {
+    fmt::print(console.err, "modalbench: {}\n", one_line(what, 4096));
+    return code;
+  };
+  try {
+    return action(console);
+  } catch (const CaseErrors& errors) {
+    print(errors, console.err);
+    return 2;
+  } catch (const UsageError& error) {
+    return say(error.what(), 2);
+  } catch (const StoreError& error) {  // a store that cannot be written or listed
+    return say(error.what(), 2);
+  } catch (const PublishError& error) {
+    return say(error.what(), 2);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return say(error.what(), 2);
+  } catch (const std::bad_alloc&) {
+    const auto left = available_memory();
+    return say(command + ": out of memory" + (left ? fmt::format(", {} are left", bytes(*left)) : ""), 3);
+  } catch (const std::exception& error) {
+    return say(error.what(), 3);
+  }
 }
 
 // The exit code, once what was printed has arrived: a full disk or a closed pipe must not pass for success.
@@ -218,7 +260,7 @@ int harness_main(int argc, char** argv, const Catalogue& catalogue) {
     return delivered(app.exit(error) == 0 ? 0 : 2, console);
   }
   use_one_thread();  // timed parts run on one thread on both sides
-  return delivered(guarded(action, console), console);
+  return delivered(guarded(action, app.get_subcommands().front()->get_name(), console), console);
 }
 
 }  // namespace mb

@@ -5,8 +5,9 @@
 
 namespace mb {
 
-// Exit codes: 0 all checks hold, 1 a check fails, 2 usage, case file or output that cannot be written, 3 a solver
-// failed where the case does not expect it, now or when what is stored was computed, 130 interrupted.
+// Exit codes: 0 all checks hold, 1 a check fails, 2 usage, case file or output that cannot be written (a store, a
+// report), 3 a solver failed or takes more memory than there is where the case does not expect it, now or when what is
+// stored was computed, 130 interrupted.
 int harness_main(int argc, char** argv, const Catalogue& catalogue);
 
 }  // namespace mb

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 namespace mb {
@@ -17,6 +18,21 @@ std::string content(const std::filesystem::path& file) {
   std::ostringstream all;
   all << std::ifstream(file).rdbuf();
   return all.str();
+}
+
+struct State {
+  char letter = '?';  // of proc(5): R, S, Z, ...; '?': there is none
+  pid_t parent = 0;
+};
+
+// "id (name) S parent ...", where the name may hold anything.
+State state_of(pid_t process) {
+  const std::string line = content("/proc/" + std::to_string(process) + "/stat");
+  const auto end_of_name = line.rfind(") ");
+  State state;
+  if (end_of_name != std::string::npos)
+    std::istringstream(line.substr(end_of_name + 2)) >> state.letter >> state.parent;
+  return state;
 }
 
 void become(int descriptor, const char* file) {
@@ -69,6 +85,18 @@ int Process::code() {
   if (!ended_) ended_ = ::waitpid(process_, &status_, 0) == process_;
   return WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_);
 }
+
+std::vector<pid_t> Process::children() const {
+  std::vector<pid_t> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    if (state_of(std::stoi(name)).parent == process_ && is_running(std::stoi(name))) found.push_back(std::stoi(name));
+  }
+  return found;
+}
+
+bool is_running(pid_t process) { return std::string_view("?ZX").find(state_of(process).letter) == std::string::npos; }
 
 std::string Process::out() const { return content(out_); }
 std::string Process::err() const { return content(err_); }

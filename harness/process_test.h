@@ -26,6 +26,7 @@ class Process {
   bool ends_within(double seconds);      // whether it has ended by then
   int code();                            // waits; the exit code, or minus the signal that ended it
   std::string out() const, err() const;
+  std::vector<pid_t> children() const;  // that it has forked and that run now
 
  private:
   std::filesystem::path out_, err_;
@@ -33,5 +34,7 @@ class Process {
   int status_ = 0;
   bool ended_ = false;
 };
+
+bool is_running(pid_t process);  // there, and not dead and merely not waited for
 
 }  // namespace mb

@@ -6,160 +6,176 @@
 #include <tuple>
 
 #include "cases/contract/physical_shift.h"
-#include "cases/scene/read_toml.h"
-#include "harness/catalogue.h"
 #include "harness/study/truth.h"
-#include "mechanics/geometry/overloaded.h"
+#include "harness/units_test.h"
+#include "mechanics/algebra/worse_test.h"
+#include "mechanics/verified_test.h"
 #include "modal/bases/eigenmodes.h"
+#include "modal/bases/mode_differences_test.h"
 
 namespace mb {
 namespace {
 
-struct Units {
-  const char* name;
-  double L, M, T;  // of one metre, kilogram, second in the new units
-  double pressure() const { return M / (L * T * T); }
-};
-const Units mm_tonne{"mm, t, s", 1e3, 1e-3, 1}, cgs{"cm, g, s", 1e2, 1e3, 1}, mm_mg_ms{"mm, mg, ms", 1e3, 1e6, 1e3};
-
-Shape in(const Units& u, Shape shape) {
-  std::visit(overloaded{[&](Box& b) { b.size *= u.L; }, [&](Cylinder& c) { c.radius *= u.L, c.length *= u.L; },
-                        [&](Sphere& s) { s.radius *= u.L; }, [&](Superquadric& s) { s.semi_axes *= u.L; },
-                        [&](TaperedSuperquadric& s) { s.straight.semi_axes *= u.L; }},
-             shape);
-  return shape;
-}
-
-History in(const Units& u, History history) {
-  std::visit(overloaded{[&](Step& h) { h.start *= u.T; }, [&](Harmonic& h) { h.omega /= u.T, h.start *= u.T; },
-                        [&](Pulse& h) { h.duration *= u.T, h.start *= u.T; },
-                        [&](Ramp& h) { h.duration *= u.T, h.start *= u.T; },
-                        [](auto&) { throw std::logic_error("a history that these tests do not tell in other units"); }},
-             history);
-  return history;
-}
-
-void tell(const Units& u, Patch& patch) {
-  if (!patch.disc) return;
-  patch.disc->centre *= u.L;
-  patch.disc->radius *= u.L;
-}
-
-void tell(const Units& u, Body& body) {
-  body.shape = in(u, body.shape);
-  body.material.youngs_modulus *= u.pressure();
-  body.material.density *= u.M / std::pow(u.L, 3);
-  body.damping.alpha /= u.T;
-  body.damping.beta *= u.T;
-  for (Dashpot& dashpot : body.dashpots) dashpot.damping *= u.M / u.T, tell(u, dashpot.patch);
-  for (Inclusion& inclusion : body.material.inclusions) inclusion.centre *= u.L, inclusion.size *= u.L;
-  for (Support& support : body.supports) {
-    tell(u, support.patch);
-    if (!support.drive) continue;
-    support.drive->acceleration = in(u, support.drive->acceleration);
-    const auto amplitude = [&](auto& h) {
-      if constexpr (requires { h.amplitude; }) h.amplitude *= u.L / (u.T * u.T);
-    };
-    std::visit(amplitude, support.drive->acceleration);
-  }
-  body.pose.position *= u.L;
-  body.twist.velocity *= u.L / u.T;
-  body.twist.angular_velocity /= u.T;
-}
-
-Scene in(const Units& u, Scene scene) {
-  for (Body& body : scene.bodies) tell(u, body);
-  for (Load& load : scene.loads) {
-    load.history = in(u, load.history);
-    for (Traction& t : load.tractions) t.traction *= u.pressure(), t.pressure *= u.pressure(), tell(u, t.patch);
-  }
-  scene.gravity *= u.L / (u.T * u.T);
-  for (Obstacle& obstacle : scene.obstacles) {
-    obstacle.surface.pose.position *= u.L;
-    obstacle.surface.rounding *= u.L;
-    if (auto* shape = std::get_if<Shape>(&obstacle.surface.shape)) *shape = in(u, *shape);
-  }
-  for (ContactPair& pair : scene.contacts) {
-    pair.stiffness *= u.pressure() / u.L;
-    pair.damping *= u.T / u.L;
-    pair.slip_speed *= u.L / u.T;
-  }
-  for (Probe& probe : scene.probes) probe.point *= u.L;
-  for (double* time : {&scene.duration, &scene.samples_from}) *time *= u.T;
-  for (double* rate : {&scene.frame_rate, &scene.samples_per_second}) *rate /= u.T;
-  return scene;
-}
-
-std::shared_ptr<const Scene> told(const std::string& file, const Units& u) {
-  const Scene scene = read_toml(std::string(MB_SOURCE_DIR) + "/cases/" + file, default_catalogue().vocabulary());
-  return std::make_shared<const Scene>(in(u, scene));
-}
-const Units si{"m, kg, s", 1, 1, 1};
+using testing::expect_verified;
+using testing::si;
+using testing::told;
+using testing::Units;
 
 double relative(const MatrixXd& a, const MatrixXd& b) { return (a - b).norm() / b.norm(); }
 
-Trajectory answer(const std::shared_ptr<const Scene>& scene, const std::string& method, const std::string& integrator,
+// [-] largest |A_ij - B_ij| / sqrt(B_ii B_jj): each entry by the size of its own unknowns, be they soft or stiff.
+double largest_of_entries(const SparseMatrix& A, const SparseMatrix& B) {
+  const SparseMatrix D = A - B;
+  const VectorXd size = VectorXd(B.diagonal()).cwiseSqrt();
+  double largest = 0;
+  for (Index j = 0; j < D.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator d(D, j); d; ++d) {
+      const double off = std::abs(d.value()) / (size[d.row()] * size[j]);
+      if (!(off <= largest)) largest = off;  // NaN, too
+    }
+  return largest;
+}
+
+// A body in metres, kilograms and seconds, and in other units.
+struct Twice {
+  Twice(const std::string& file, const Units& u)
+      : own(told(file, si)),
+        other(told(file, u)),
+        own_model(make_model(own, own_meshes(*own))),
+        other_model(make_model(other, own_meshes(*other))) {}
+  const System& own_system() const { return own_model.bodies[0].full->system(); }
+  const System& other_system() const { return other_model.bodies[0].full->system(); }
+
+  std::shared_ptr<const Scene> own, other;
+  Model own_model, other_model;
+};
+
+Trajectory answer(const Model& model, const std::string& method, const std::string& integrator,
                   const Settings& settings) {
   const Catalogue catalogue = default_catalogue();
-  const Model model = make_model(scene, own_meshes(*scene));
   return catalogue.method(method)
       .prepare(model, settings, catalogue.integrator(integrator))
-      ->simulate({sample_times(*scene), true});
+      ->simulate({sample_times(*model.scene), true});
 }
 
-// Displacements over L and strains, 1e-10: rounding of a condition of 1e6 at most.
-void expect_same(const Trajectory& other, const Trajectory& own, const Units& u, double tolerance,
-                 const std::string& what) {
-  ASSERT_EQ(other.status, own.status) << what;
-  for (size_t b = 0; b < own.bodies.size(); ++b) {
-    EXPECT_LT(relative(other.bodies[b].displacement / u.L, own.bodies[b].displacement), tolerance) << what;
-    EXPECT_LT(relative(other.bodies[b].strain, own.bodies[b].strain), tolerance) << what;
+// [-] of displacements over L and of strains, relative, the larger.
+double difference(const Twice& twice, const Units& u, const std::string& method, const std::string& integrator,
+                  Settings settings) {
+  const Trajectory own = answer(twice.own_model, method, integrator, settings);
+  settings.time_step *= u.T;
+  const Trajectory other = answer(twice.other_model, method, integrator, settings);
+  EXPECT_EQ(own.status, Status::ok) << integrator;
+  EXPECT_EQ(other.status, Status::ok) << integrator;
+  const BodyTrajectory &a = own.bodies[0], &b = other.bodies[0];
+  return VectorXd{{relative(b.displacement / u.L, a.displacement), relative(b.strain, a.strain)}}
+      .maxCoeff<Eigen::PropagateNaN>();
+}
+
+class UnitsVerification : public ::testing::TestWithParam<Units> {
+ protected:
+  void expect_same(const std::string& what, double worst, double tolerance, const std::string& why) const {
+    expect_verified({.quantity = fmt::format("{}, told in {}, the worst", what, GetParam().name),
+                     .reference = "property",
+                     .source = "the same bodies told in m, kg, s: nothing depends on units",
+                     .uncertainty = fmt::format("{:.2g}, rounding", tolerance),
+                     .tolerance = tolerance,
+                     .why = why},
+                    worst);
   }
-}
-
-class UnitsVerification : public testing::TestWithParam<Units> {};
-INSTANTIATE_TEST_SUITE_P(Systems, UnitsVerification, testing::Values(mm_tonne, cgs, mm_mg_ms),
+};
+INSTANTIATE_TEST_SUITE_P(Systems, UnitsVerification,
+                         ::testing::Values(testing::mm_tonne, testing::cgs, testing::mm_mg_ms),
                          [](const auto& each) { return std::to_string(each.index); });
 
-TEST_P(UnitsVerification, MatricesAndModesFollow) {
+TEST_P(UnitsVerification, MatricesFollow) {
   const Units u = GetParam();
+  double worst = 0;
   for (const char* file : {"cylinder-combined.toml", "hard/dashpot.toml", "hard/stiffness-contrast.toml"}) {
-    const auto own = told(file, si), other = told(file, u);
-    const Model a = make_model(own, own_meshes(*own)), b = make_model(other, own_meshes(*other));
-    const System &s = a.bodies[0].full->system(), &t = b.bodies[0].full->system();
-    EXPECT_LT(relative(MatrixXd(t.K) * (u.T * u.T / u.M), MatrixXd(s.K)), 1e-10) << file;
-    EXPECT_LT(relative(MatrixXd(t.M) / u.M, MatrixXd(s.M)), 1e-10) << file;
-    const Modes one = lowest_modes(s, 12, physical_shift(own->bodies[0]));
-    const Modes two = lowest_modes(t, 12, physical_shift(other->bodies[0]));
-    ASSERT_EQ(two.n_rigid, one.n_rigid) << file;
-    // Of a stiffness contrast of 10^6 the soft modes are known to eps times that, and a little.
-    EXPECT_LT(relative(two.omega * u.T, one.omega), own->bodies[0].material.inclusions.empty() ? 1e-10 : 2e-9) << file;
+    const Twice twice(file, u);
+    const System &s = twice.own_system(), &t = twice.other_system();
+    const double of_K = largest_of_entries(t.K * (u.T * u.T / u.M), s.K), of_M = largest_of_entries(t.M / u.M, s.M);
+    EXPECT_LT(of_K, 1e-10) << file;
+    EXPECT_LT(of_M, 1e-10) << file;
+    worst = VectorXd{{worst, of_K, of_M}}.maxCoeff<Eigen::PropagateNaN>();
   }
+  expect_same("every entry of stiffness and mass of three bodies, over sqrt(K_ii K_jj) and sqrt(M_ii M_jj)", worst,
+              1e-10, "Sums of some hundred products, each rounded; the rest is room.");
 }
 
-TEST_P(UnitsVerification, ClosedFormsAndFixedStepsFollow) {
+TEST_P(UnitsVerification, ModesFollow) {
   const Units u = GetParam();
-  for (const char* file : {"cylinder-combined.toml", "hard/dashpot.toml"}) {
-    const auto own = told(file, si), other = told(file, u);
-    Settings settings{.modes = 12};
-    for (const char* method : {"eigenmodes", "static-correction"})
-      expect_same(answer(other, method, "exact", settings), answer(own, method, "exact", settings), u, 1e-10, file);
-    for (const char* integrator : {"newmark", "central-difference"}) {
-      settings.time_step = 2e-4;
-      const Trajectory one = answer(own, "eigenmodes", integrator, settings);
-      settings.time_step *= u.T;
-      expect_same(answer(other, "eigenmodes", integrator, settings), one, u, 1e-10, integrator);
+  testing::ModeDifferences uniform;
+  double contrast = 0;
+  for (const char* file : {"cylinder-combined.toml", "hard/dashpot.toml", "hard/stiffness-contrast.toml"}) {
+    const Twice twice(file, u);
+    const Modes one = lowest_modes(twice.own_system(), 16, physical_shift(twice.own->bodies[0]));
+    const Modes two = lowest_modes(twice.other_system(), 16, physical_shift(twice.other->bodies[0]));
+    ASSERT_EQ(two.n_rigid, one.n_rigid) << file;
+    const auto found = testing::mode_differences(twice.own_system().M, one.n_rigid, one.omega.cwiseAbs2(), one.Phi,
+                                                 (two.omega * u.T).cwiseAbs2(), two.Phi * std::sqrt(u.M));
+    EXPECT_GE(found.n, 12) << file;
+    if (twice.own->bodies[0].material.inclusions.empty()) {
+      uniform.frequency = worse(uniform.frequency, found.frequency);
+      uniform.subspace = worse(uniform.subspace, found.subspace);
+    } else {
+      contrast = worse(found.frequency, found.subspace);
     }
   }
+  expect_same("twelve and more frequencies of two bodies, each", uniform.frequency, 1e-10,
+              "Rounding times the spread of the spectrum, 1e6 at most.");
+  expect_same("subspaces of the modes of two bodies, clusters apart by 1e-3 and more, sine of the angle times the gap",
+              uniform.subspace, 1e-10, "The residual at which block Lanczos stops.");
+  expect_same(
+      "frequencies, each, and subspaces of the modes of a body of a stiffness contrast of 1e6", contrast, 1e-7,
+      "Rounding of the stiff entries is work against the soft modes, known to eps lambda_max/lambda_1 = 3e-6 at "
+      "worst; a thirtieth of that, since roundings do not conspire.");
+}
+
+TEST_P(UnitsVerification, ClosedFormsFollow) {
+  double worst = 0;
+  for (const char* file : {"cylinder-combined.toml", "hard/dashpot.toml"}) {
+    const Twice twice(file, GetParam());
+    for (const char* method : {"eigenmodes", "static-correction"}) {
+      const double off = difference(twice, GetParam(), method, "exact", {.modes = 12});
+      EXPECT_LT(off, 1e-10) << file << method;
+      worst = VectorXd{{worst, off}}.maxCoeff<Eigen::PropagateNaN>();
+    }
+  }
+  expect_same("displacements and strains of two bodies over time, closed form of twelve modes, each as a whole", worst,
+              1e-10, "Rounding times a condition of at most 1e6.");
+}
+
+TEST_P(UnitsVerification, FixedStepsFollow) {
+  double worst = 0;
+  const auto compare = [&](const Twice& twice, const char* method, const char* integrator, const Settings& settings) {
+    const double off = difference(twice, GetParam(), method, integrator, settings);
+    EXPECT_LT(off, 1e-10) << method << integrator << settings.time_step;
+    worst = VectorXd{{worst, off}}.maxCoeff<Eigen::PropagateNaN>();
+  };
+  const Twice cylinder("cylinder-combined.toml", GetParam()), bar("hard/dashpot.toml", GetParam());
+  for (const Twice* twice : {&cylinder, &bar}) {
+    for (const char* integrator : {"central-difference", "explicit-euler", "symplectic-euler"})
+      compare(*twice, "eigenmodes", integrator, {.modes = 12, .time_step = 2e-4});
+    // Its velocities are differences of displacements: each rounds by eps u / h.
+    compare(*twice, "eigenmodes", "newmark", {.modes = 12, .time_step = 1e-3});
+  }
+  compare(cylinder, "full-order", "newmark", {.time_step = 4e-3});
+  compare(bar, "full-order", "newmark", {.time_step = 1e-3});
+  for (const char* integrator : {"central-difference", "symplectic-euler"})  // with the mass lumped
+    compare(bar, "full-order", integrator, {.time_step = 5e-5});
+  expect_same(
+      "displacements and strains of two bodies over time, by four schemes of fixed steps in twelve modes and by "
+      "three in full order, each as a whole",
+      worst, 1e-10, "Rounding times a condition of at most 1e6.");
 }
 
 // Steps are chosen by estimates of the error: either answer is within the error of one, both within twice that.
 TEST_P(UnitsVerification, AdaptiveStepsFollowWithinTheirErrorBars) {
   const Units u = GetParam();
-  const auto own = told("hard/dashpot.toml", si), other = told("hard/dashpot.toml", u);
-  const Trajectory one = answer(own, "full-order", "sundials", {.relative_tolerance = 1e-5});
-  const Trajectory two = answer(other, "full-order", "sundials", {.relative_tolerance = 1e-5});
-  const Trajectory truth = answer(own, "full-order", "sundials", {.relative_tolerance = 1e-7});
+  const Twice twice("hard/dashpot.toml", u);
+  const Trajectory one = answer(twice.own_model, "full-order", "sundials", {.relative_tolerance = 1e-5});
+  const Trajectory two = answer(twice.other_model, "full-order", "sundials", {.relative_tolerance = 1e-5});
+  const Trajectory truth = answer(twice.own_model, "full-order", "sundials", {.relative_tolerance = 1e-7});
   const BodyTrajectory &a = one.bodies[0], &b = two.bodies[0], &exact = truth.bodies[0];
   EXPECT_LT(relative(b.displacement / u.L, a.displacement), 2 * relative(a.displacement, exact.displacement));
   EXPECT_LT(relative(b.strain, a.strain), 2 * relative(a.strain, exact.strain));
@@ -169,11 +185,11 @@ TEST_P(UnitsVerification, AdaptiveStepsFollowWithinTheirErrorBars) {
 // large in its force. A rigid body has none of that.
 TEST_P(UnitsVerification, ContactFollows) {
   const Units u = GetParam();
-  const auto own = told("hard/resting.toml", si), other = told("hard/resting.toml", u);
+  const Twice twice("hard/resting.toml", u);
   for (const auto& [method, r, of_force, of_place] :
        {std::tuple("eigenmodes", 0, 1e-8, 1e-12), std::tuple("static-correction", 16, 1e-4, 1e-6)}) {
-    const Trajectory one = answer(own, method, "exact", {.modes = r, .time_step = 1e-4});
-    const Trajectory two = answer(other, method, "exact", {.modes = r, .time_step = 1e-4 * u.T});
+    const Trajectory one = answer(twice.own_model, method, "exact", {.modes = r, .time_step = 1e-4});
+    const Trajectory two = answer(twice.other_model, method, "exact", {.modes = r, .time_step = 1e-4 * u.T});
     const double force = u.M * u.L / (u.T * u.T);
     EXPECT_LT(relative(two.bodies[0].contact.force / force, one.bodies[0].contact.force), of_force) << r;
     EXPECT_LT(relative(two.bodies[0].displacement / u.L, one.bodies[0].displacement), of_place) << r;

@@ -4,39 +4,60 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <string>
+#include <vector>
 
 #include "cases/scene/read_toml.h"
 #include "harness/catalogue.h"
 #include "reports/check_cells.h"
 #include "reports/render.h"
+#include "reports/verification.h"
 
 namespace mb {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string document() {
+std::vector<std::string> lines_of_document() {
   std::ifstream stream(fs::path(MB_SOURCE_DIR) / "docs/verification.md");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
 }
 
-TEST(VerificationDocument, HoldsEveryCheckOfQuickAndOfHardCases) {
-  const std::string text = document();
-  ASSERT_FALSE(text.empty());
+// "| case | profile | what |", later "| tolerance | why |", and at the end that it holds.
+bool holds_check(const std::vector<std::string>& lines, const std::string& start, const std::string& bounds) {
+  return std::ranges::any_of(lines, [&](const std::string& line) {
+    return line.starts_with(start) && line.find(bounds) != std::string::npos && line.ends_with("| holds |");
+  });
+}
+
+std::string profile_of(const Scene& scene) {
+  const bool quick = !scene.hard.empty() || std::ranges::count(scene.runs_in, "quick") > 0;
+  return quick ? "quick" : "standard";
+}
+
+// Of the quick profile, of hard cases, and of those against a closed form or published figures.
+bool stands_in_it(const Scene& scene) {
+  const bool has_reference = !scene.truth.exact.empty() || !scene.reference_frequencies.hertz.empty();
+  return profile_of(scene) == "quick" || has_reference || scene.name == "nafems-5h";
+}
+
+TEST(VerificationDocument, SaysThatEveryCheckHolds) {
+  const std::vector<std::string> lines = lines_of_document();
   const Vocabulary names = default_catalogue().vocabulary();
   int n_checks = 0;
   for (const char* folder : {"cases", "cases/hard"})
     for (const auto& entry : fs::directory_iterator(fs::path(MB_SOURCE_DIR) / folder)) {
       if (entry.path().extension() != ".toml") continue;
       const Scene scene = read_toml(entry.path(), names);
-      if (scene.hard.empty() && std::ranges::count(scene.runs_in, "quick") == 0) continue;
+      if (!stands_in_it(scene)) continue;
       for (const Check& check : scene.checks) {
-        const std::string cells = "| " + markdown_text(bound(check)) + " | " + markdown_text(check.why) + " |";
-        EXPECT_NE(text.find(cells), std::string::npos)
-            << scene.name << ": " << cells << "\ndocs/verification.md is out of date: make it anew";
+        const auto cells = [](auto... cell) { return (("| " + markdown_text(cell) + " ") + ...) + "|"; };
+        const std::string start = cells(scene.name, profile_of(scene), checked(check));
+        const std::string bounds = cells(bound(check), check.why);
+        EXPECT_TRUE(holds_check(lines, start, bounds))
+            << start << " ... " << bounds << "\ndocs/verification.md is out of date: cmake/verification-document";
         ++n_checks;
       }
     }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "mechanics/algebra/worse_test.h"
 #include "mechanics/contact/contact_steppers.h"
 #include "mechanics/system/central_difference.h"
 #include "mechanics/system/exact.h"
@@ -10,6 +11,7 @@
 #include "mechanics/system/finite_force.h"
 #include "mechanics/system/newmark.h"
 #include "mechanics/system/symplectic_euler.h"
+#include "mechanics/verified_test.h"
 #include "reference/finite_bodies_test.h"
 #include "reference/static_answer.h"
 #include "reference/sundials/sundials.h"
@@ -69,9 +71,9 @@ Drifts drifts(const Spun& spun, const States& states) {
   Drifts largest{0, 0, 0};
   for (Index k = 0; k < states.u.cols(); ++k) {
     const VectorXd u = states.u.col(k), v = states.v.col(k);
-    largest.momentum = std::max(largest.momentum, (spun.body.momentum(v) - P).norm() / P.norm());
-    largest.spin = std::max(largest.spin, (spun.body.angular_momentum(u, v) - L).norm() / L.norm());
-    largest.energy = std::max(largest.energy, std::abs(spun.energy(u, v) - E) / E);
+    largest.momentum = worse(largest.momentum, (spun.body.momentum(v) - P).norm() / P.norm());
+    largest.spin = worse(largest.spin, (spun.body.angular_momentum(u, v) - L).norm() / L.norm());
+    largest.energy = worse(largest.energy, std::abs(spun.energy(u, v) - E) / E);
   }
   return largest;
 }
@@ -186,7 +188,14 @@ TEST(FiniteMotionVerification, ASpinningBarStretchesAsInOneDimension) {
   const Matrix3Xd ends{{-half, half}, {0, 0}, {0, 0}};
   const Matrix3Xd x = ends + (model->displacement_at(ends) * states.u.col(0)).reshaped(3, 2).matrix();
   const double stretch = (x.col(1) - x.col(0)).norm() / (2 * half) - 1;
-  EXPECT_NEAR(stretch, expected, 2e-3 * expected);  // (side/half)^2 = 4e-3 of what is of one dimension
+  testing::expect_verified(
+      {.quantity = "stretch of a steadily spinning neo-Hookean bar of nu = 0, between the centres of its end sections",
+       .reference = "second route",
+       .source = "the bar in one dimension, an ordinary differential equation by shooting and Runge-Kutta",
+       .uncertainty = "9e-4, (side/length)^2: with nu = 0 the sides' own stretch enters by their inertia alone",
+       .tolerance = 2e-3,
+       .why = "Twice that; angular momentum, which sets the speed, drifts by some 1e-5 at a tolerance of 1e-6."},
+      stretch / expected - 1);
 }
 
 TEST(FiniteMotion, WhatCannotBeSteppedIsRefused) {
@@ -210,8 +219,10 @@ TEST(FiniteMotion, FailuresHaveNames) {
   const VectorXd times = VectorXd::LinSpaced(5, 0, 0.04);
   const States states = newmark(spun.system, 0.01)->run(times);
   EXPECT_TRUE(states.status == Status::inverted || states.status == Status::no_convergence);
-  EXPECT_LT(states.n_valid, 5);
-  EXPECT_TRUE(states.u.allFinite() && states.v.allFinite());
+  ASSERT_LT(states.n_valid, 5);
+  EXPECT_TRUE(states.u.leftCols(states.n_valid).allFinite() && states.v.leftCols(states.n_valid).allFinite());
+  EXPECT_TRUE(states.u.rightCols(5 - states.n_valid).array().isNaN().all());
+  EXPECT_TRUE(states.v.rightCols(5 - states.n_valid).array().isNaN().all());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "cases/scene/one_body.h"
 #include "mechanics/contact/contact_steppers.h"
 #include "mechanics/system/newmark.h"
+#include "mechanics/verified_test.h"
 #include "reference/full_model.h"
 #include "reference/full_order.h"
 #include "reference/integrators_test.h"
@@ -71,8 +72,15 @@ TEST_P(TwoLikeBallsVerification, MeetAsOneMeetsItsMirror) {
   EXPECT_NEAR(met.start, mirrored.start, 1e-9);
   // Feet on the other's facets are off the mirrored points by the meshes' own error; the last of them part slowly.
   EXPECT_NEAR(met.end, mirrored.end, 0.04 * (mirrored.end - mirrored.start));
-  EXPECT_NEAR(met.peak_force, mirrored.peak_force, 3e-3 * mirrored.peak_force);
-  EXPECT_NEAR(met.impulse[2], mirrored.impulse[2], 3e-3 * mirrored.impulse[2]);
+  const Eigen::Vector2d off(met.peak_force / mirrored.peak_force - 1, met.impulse[2] / mirrored.impulse[2] - 1);
+  testing::expect_verified(
+      {.quantity = "largest force and impulse of two like balls that meet",
+       .reference = "property",
+       .source = "symmetry: either meets a rigid floor through a layer half as deep and twice as stiff",
+       .uncertainty = "1e-4, the tolerance of a step of either run",
+       .tolerance = 3e-3,
+       .why = "Contact points lie on facets of the other's surface, off the mirrored ones by the mesh's own error."},
+      off.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
 }
 
 TEST_P(TwoLikeBallsVerification, HandOverMomentumAndKeepEnergy) {

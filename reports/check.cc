@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "cases/scene/printable.h"
 #include "reports/content.h"
 #include "reports/findings.h"
 #include "reports/number.h"
@@ -45,6 +46,8 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<cons
   for (const Record* answer : answers) {
     if (!is_usable(*answer)) return blank(scene, check, reason(*answer));  // one failed part fails the whole check
     CheckResult one = decided(scene, check, answer->value, answer->error_bar.value_or(0));
+    one.has_bar = answer->error_bar.has_value();
+    one.unit = answer->unit;
     if (is_worse(one, worst)) worst = std::move(one);
   }
   return worst;
@@ -62,12 +65,17 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<Find
   for (const Finding& finding : findings) {
     const bool own = finding.case_name == scene.name && finding.profile == scene.profile && finding.name == check.table;
     if (!own) continue;
-    if (!column_of(finding, check.column)) return blank(scene, check, "no such column");
+    const auto column = column_of(finding, check.column);
+    if (!column) return blank(scene, check, "no such column");
     for (std::size_t i = 0; i < finding.rows.size(); ++i) {
       if (finding.rows[i].empty() || !is_asked(check, finding.rows[i][0])) continue;
       const double value = number_at(finding, i, check.column);
       if (std::isnan(value)) return blank(scene, check, "not a number in row " + std::to_string(i + 1));
-      CheckResult one = decided(scene, check, value, 0);  // tables carry no error bars
+      const double bar = bar_at(finding, i, *column);
+      CheckResult one = decided(scene, check, value, bar > 0 ? bar : 0);
+      one.has_bar = std::isfinite(bar);
+      one.unit = finding.columns[*column].unit;
+      one.footing = finding.footing;
       if (is_worse(one, worst)) worst = std::move(one);
     }
   }
@@ -113,7 +121,9 @@ std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const s
 
 std::string subject_of(const Check& check) {
   if (check.table.empty()) return check.metric;
-  return "table " + check.table + ", column " + check.column + (check.row.empty() ? "" : ", row " + check.row);
+  const auto shown = [](const std::string& text) { return printable(text, text.size()); };
+  return "table " + check.table + ", column " + shown(check.column) +
+         (check.row.empty() ? "" : ", row " + shown(check.row));
 }
 
 }  // namespace mb

@@ -181,6 +181,27 @@ TEST(CheckResults, OfATableOneRowByItsFirstCell) {
   EXPECT_EQ(of_table("zeta full", "21", 1).status, "no record");
 }
 
+TEST(CheckResults, OfATableBarsCountAndItsUnitAndFootingComeAlong) {
+  Check check{};
+  check.table = "t";
+  check.column = "error";
+  check.at_most = 0.02;
+  Finding finding = synthetic::finding("cylinder-compression", "a", "t", {{"name", ""}, {"error", "m"}});
+  finding.rows = {{"x", 0.019}};
+  finding.footing = {"the truth", "second route", "as the bars say"};
+  const auto result = [&](double bar) {
+    finding.bars = {{synthetic::nan, bar}};
+    return check_results({scene_with(check)}, {}, {finding}).at(0);
+  };
+  EXPECT_TRUE(result(5e-4).holds);
+  EXPECT_FALSE(result(2e-3).decidable);
+  EXPECT_TRUE(result(synthetic::nan).holds);
+  EXPECT_FALSE(result(synthetic::nan).has_bar);
+  EXPECT_TRUE(result(0).has_bar);
+  EXPECT_EQ(result(0).unit, "m");
+  EXPECT_EQ(result(0).footing.kind, "second route");
+}
+
 TEST(CheckResults, CellsWithoutANumberAndColumnsThatAreMissingAreNotMeasured) {
   EXPECT_FALSE(of_table("zeta asked", "", 1).measured);  // n/a from row 7 on
   EXPECT_EQ(of_table("zeta asked", "", 1).status, "not a number in row 7");

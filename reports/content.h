@@ -28,10 +28,13 @@ struct CheckResult {
   std::string case_name, profile;
   Check check;
   double value = 0, error_bar = 0;
+  bool has_bar = false;       // false: of the answer alone, or of a table that states its uncertainty in words
+  std::string unit = {};      // of value, bar and bound; "-" or "" where it has none
   bool measured = false;      // false where no usable record answers it: `status` says what the record says, if any
   bool holds = false;         // measured, and within its bound by the error bar or more
   bool decidable = true;      // false: the bound lies within the error bar of the value
   std::string status = "ok";  // of the record; "no record" where there is none
+  Footing footing = {};       // of the table, where it is a check of one
 };
 // A check of a table: the row furthest from its bound; a cell that is no number leaves it unmeasured.
 std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const std::vector<Record>& records,

@@ -1,8 +1,15 @@
+#include <algorithm>
+
 #include "reports/number.h"
 #include "reports/render.h"
 
 namespace mb {
 namespace {
+
+// What a terminal or spreadsheet would obey. Line ends and tabs are cells' own business.
+bool is_control(char c) {
+  return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\r' && c != '\t') || c == 0x7f;
+}
 
 bool has_bar(const Column& column) { return column.kind == Column::Kind::error || column.kind == Column::Kind::time; }
 
@@ -24,7 +31,10 @@ std::string number_or_text(const Column& column, const Cell& cell) {
 
 std::string csv_text(std::string_view text) {
   std::string field(text);
-  const bool is_formula = !field.empty() && std::string_view("=+-@\t\r\n").find(field[0]) != std::string_view::npos;
+  std::ranges::replace_if(field, is_control, ' ');
+  const auto first = std::min(field.find_first_not_of(' '), field.size());
+  const bool is_formula =
+      first < field.size() && std::string_view("=+-@\t\r\n").find(field[first]) != std::string_view::npos;
   if (is_formula) field.insert(field.begin(), '\'');
   if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
   std::string quoted = "\"";

@@ -18,7 +18,9 @@ std::vector<Figure> finding_figures(const Finding& finding) {
   if (finding.name == "force-history") all = force_history_figures(finding);
   if (finding.name == "contact-time") all = contact_time_figures(finding);
   std::erase_if(all, [](const Figure& one) { return one.specification["data"]["values"].empty(); });
-  for (Figure& one : all) one.specification["title"] = finding.case_name + ", profile " + finding.profile;
+  for (Figure& one : all)  // after what tells figures of one finding apart
+    one.specification["title"] =
+        one.specification.value("title", std::string()) + finding.case_name + ", profile " + finding.profile;
   return all;
 }
 

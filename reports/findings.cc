@@ -22,6 +22,7 @@ constexpr Section sections[] = {{"budget", "Error budget", true},
                                 {"damping-coupling", "Damping that couples modes", false},
                                 {"long-run", "A million steps", false},
                                 {"multiplets", "Modes by two solvers", false},
+                                {"aspect", "From compact to slender or flat", false},
                                 {"locking", "Locking", false},
                                 {"linearity", "Linear theory and finite strain", false},
                                 {"mode-amplitudes", "Mode amplitudes", false},
@@ -50,20 +51,37 @@ std::string heading(const std::string& analysis) {
 
 bool is_count(double value) { return value == std::floor(value) && std::abs(value) < 1e6; }
 
-Cell cell_of(const FindingCell& cell) {
+Cell cell_of(const FindingCell& cell, double bar) {
   if (const auto* text = std::get_if<std::string>(&cell)) return text_cell(*text);
   const double value = std::get<double>(cell);
   if (std::isnan(value)) return text_cell("n/a");
   if (std::isinf(value)) return text_cell(value > 0 ? "unbounded" : "unbounded below");
   if (is_count(value)) return count_cell(std::lround(value));
+  if (bar > 0) {
+    const std::string text = format_with_bar(value, bar), beside = " \u00b1 " + format_number(bar, 1);
+    return {.text = std::abs(value) < bar ? text : text + beside, .value = value, .bar = bar};
+  }
   return {.text = format_number(value, 4), .value = value};
+}
+
+std::string note_of(const Finding& finding) {
+  std::string note = finding.note;
+  const auto add = [&](const char* what, const std::string& text) {
+    if (!text.empty()) note += (note.empty() ? "" : " ") + std::string(what) + text + ".";
+  };
+  add("Held to: ", finding.footing.reference);
+  add("Uncertainty: ", finding.footing.uncertainty);
+  return note;
 }
 
 Column column_of(const Finding& finding, std::size_t j) {
   const FindingColumn& column = finding.columns[j];
   const bool numeric = std::any_of(finding.rows.begin(), finding.rows.end(),
                                    [&](const auto& row) { return j < row.size() && row[j].index() == 1; });
-  return {column.name, column.unit, numeric ? Column::Kind::number : Column::Kind::text};
+  bool barred = false;
+  for (std::size_t i = 0; i < finding.rows.size(); ++i) barred = barred || bar_at(finding, i, j) > 0;
+  using Kind = Column::Kind;
+  return {column.name, column.unit, barred ? Kind::error : numeric ? Kind::number : Kind::text};
 }
 
 }  // namespace
@@ -71,15 +89,17 @@ Column column_of(const Finding& finding, std::size_t j) {
 Sheet sheet_of(const Finding& finding) {
   Sheet table{.name = file_part(finding.case_name) + "-" + file_part(finding.name),
               .title = finding.title + ": case " + finding.case_name + ", profile " + finding.profile,
-              .note = finding.note,
+              .note = note_of(finding),
               .columns = {},
               .rows = {},
               .n_keys = 0};
   for (std::size_t j = 0; j < finding.columns.size(); ++j) table.columns.push_back(column_of(finding, j));
-  for (const auto& cells : finding.rows) {
+  for (std::size_t i = 0; i < finding.rows.size(); ++i) {
+    const auto& cells = finding.rows[i];
     std::vector<Cell>& row = table.rows.emplace_back();
     for (std::size_t j = 0; j < finding.columns.size(); ++j) {
-      row.push_back(j < cells.size() ? cell_of(cells[j]) : text_cell(""));
+      Cell& cell = row.emplace_back(j < cells.size() ? cell_of(cells[j], bar_at(finding, i, j)) : text_cell(""));
+      if (!cell.value && table.columns[j].kind == Column::Kind::error) cell.status = cell.text;  // "unbounded" in CSV
     }
   }
   return table;
@@ -147,6 +167,11 @@ double number_at(const Finding& finding, std::size_t row, const std::string& col
   const auto j = column_of(finding, column);
   const auto* value = j && *j < finding.rows[row].size() ? std::get_if<double>(&finding.rows[row][*j]) : nullptr;
   return value ? *value : std::numeric_limits<double>::quiet_NaN();
+}
+
+double bar_at(const Finding& finding, std::size_t row, std::size_t column) {
+  const bool is_there = row < finding.bars.size() && column < finding.bars[row].size();
+  return is_there ? finding.bars[row][column] : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string text_at(const Finding& finding, std::size_t row, const std::string& column) {

@@ -12,7 +12,8 @@
 namespace mb {
 
 // A column is one of numbers where any cell is a number. NaN prints "n/a", infinity "unbounded". Case and profile go
-// into the title. The name is a file stem: "cylinder-shear-step-limits".
+// into the title, what it is held to and how uncertain that is into the note; a bar stands beside its number: "0.12 +-
+// 0.02". The name is a file stem: "cylinder-shear-step-limits".
 Sheet sheet_of(const Finding& finding);
 
 struct FindingGroup {
@@ -36,6 +37,7 @@ std::string file_part(const std::string& text);
 // Cells by the name of their column; NaN and "" where there is no such column or cell.
 std::optional<std::size_t> column_of(const Finding& finding, const std::string& name);
 double number_at(const Finding& finding, std::size_t row, const std::string& column);
+double bar_at(const Finding& finding, std::size_t row, std::size_t column);  // NaN where it has none
 std::string text_at(const Finding& finding, std::size_t row, const std::string& column);
 
 }  // namespace mb

@@ -38,6 +38,25 @@ TEST(Findings, TextStaysTextInEveryFormat) {
   EXPECT_THAT(latex(table), HasSubstr("\\textbar{}"));
 }
 
+TEST(Findings, BarsStandBesideTheirNumbersAndSayWhatTheyAreHeldTo) {
+  Finding finding = small();
+  finding.bars = {{synthetic::nan, 2e-7, synthetic::nan},
+                  {synthetic::nan, synthetic::nan, synthetic::nan},
+                  {synthetic::nan, synthetic::nan, synthetic::nan}};
+  finding.footing = {"the formula", "closed form", "as the bars say"};
+  const Sheet table = sheet_of(finding);
+  EXPECT_EQ(table.columns[1].kind, Column::Kind::error);
+  EXPECT_EQ(table.columns[2].kind, Column::Kind::number);
+  EXPECT_EQ(table.rows[0][1].text, "1.25e-5 \u00b1 2e-7");
+  EXPECT_EQ(table.rows[0][1].bar, 2e-7);
+  EXPECT_EQ(table.rows[2][1].status, "unbounded");
+  EXPECT_EQ(table.note, "Made up. Held to: the formula. Uncertainty: as the bars say.");
+  EXPECT_THAT(csv(table), HasSubstr("1.25e-05,2e-07,"));
+  EXPECT_THAT(csv(table), HasSubstr(",,unbounded,5"));
+  finding.bars[0][1] = 1e-4;
+  EXPECT_EQ(sheet_of(finding).rows[0][1].text, "<= 1.0e-4");
+}
+
 TEST(Findings, RowsOfAnyLengthAreBroughtToTheColumns) {
   Finding finding = small();
   finding.rows.push_back({"short"});
@@ -106,6 +125,17 @@ TEST(FindingFigures, AreDrawnOfTheColumnsTheyNeedAndElseNotAtAll) {
   for (Finding finding : synthetic::findings("shear")) {
     for (FindingColumn& column : finding.columns) column.name += "?";
     EXPECT_TRUE(finding_figures(finding).empty()) << finding.name;
+  }
+}
+
+TEST(FindingFigures, TitlesTellThemApart) {
+  for (const Finding& finding : synthetic::findings("shear")) {
+    std::set<std::string> titles;
+    const std::vector<Figure> figures = finding_figures(finding);
+    if (finding.name != "stability-map") continue;
+    for (const Figure& figure : figures) titles.insert(figure.specification["title"].get<std::string>());
+    EXPECT_EQ(titles.size(), figures.size());
+    EXPECT_TRUE(titles.contains("newmark: shear, profile " + finding.profile));
   }
 }
 

@@ -48,8 +48,9 @@ Sheet hard_cases_table(const Evaluation& evaluation) {
               .title = "Hard cases",
               .note =
                   "Cases that are there to break something. Verdict: of the case's own checks; `open` where an "
-                  "error bar decides nothing. Unstable: runs whose steps grew beyond their limit and were stopped: "
-                  "found and named, no number of theirs is stored.",
+                  "error bar decides nothing. Unstable: runs past the limit of their step, which grew, or by theory "
+                  "would have grown tenfold had there been anything to grow: found and named, no number of theirs is "
+                  "stored.",
               .columns = {},
               .rows = {},
               .n_keys = 0};

@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <fstream>
 #include <set>
-#include <stdexcept>
 #include <system_error>
 
 namespace mb {
@@ -18,7 +17,7 @@ constexpr const char* staging = ".unfinished-report";
 void make_folder(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
-  if (error) throw std::runtime_error("cannot make " + path.string() + ": " + error.message());
+  if (error) throw PublishError("cannot make " + path.string() + ": " + error.message());
 }
 
 void write(const fs::path& path, const std::string& text) {
@@ -29,14 +28,14 @@ void write(const fs::path& path, const std::string& text) {
   stream.close();
   if (!stream) {
     const std::string reason = errno ? std::generic_category().message(errno) : std::string("write failed");
-    throw std::runtime_error("cannot write " + path.string() + ": " + reason);
+    throw PublishError("cannot write " + path.string() + ": " + reason);
   }
 }
 
 void move(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
-  if (error) throw std::runtime_error("cannot write " + to.string() + ": " + error.message());
+  if (error) throw PublishError("cannot write " + to.string() + ": " + error.message());
 }
 
 // Files written aside; gone again, and their disk space with them, if the report is not finished.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,15 @@ struct ReportFile {
   std::string text;
 };
 
+// Names what cannot be written, and why.
+class PublishError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 inline constexpr const char* list_of_files = "data/files.txt";  // one path a line: what the next report may remove
 
-// Returns the paths written, the list of files among them. Throws std::runtime_error that names what cannot be written.
+// Returns the paths written, the list of files among them. Throws PublishError.
 std::vector<std::filesystem::path> publish(std::vector<ReportFile> files, const std::filesystem::path& directory);
 
 }  // namespace mb

@@ -65,7 +65,7 @@ TEST_F(Publish, FilesOfTheReportBeforeGoAndAllOthersStay) {
 TEST_F(Publish, AReportThatCannotBeWrittenLeavesTheOneBeforeAsItWas) {
   publish({{"report.md", "before"}, {"data/a.csv", "before"}}, directory_);
   const std::string too_long(300, 'x');  // for a file name: fails once the others are written, as on a full disk
-  EXPECT_THROW(publish({{"report.md", "after"}, {"data/" + too_long, "after"}}, directory_), std::runtime_error);
+  EXPECT_THROW(publish({{"report.md", "after"}, {"data/" + too_long, "after"}}, directory_), PublishError);
   EXPECT_EQ(read(directory_ / "report.md"), "before");
   EXPECT_EQ(read(directory_ / "data/a.csv"), "before");
   EXPECT_THAT(files(), testing::ElementsAre("data/a.csv", "data/files.txt", "report.md"));  // nothing aside is left

@@ -77,6 +77,11 @@ TEST(Csv, FormulasAreDefusedAndQuotesDoubled) {
     EXPECT_THAT(csv_text(start + "cmd"), testing::AnyOf(testing::StartsWith("'"), testing::StartsWith("\"'"))) << start;
   }
   EXPECT_EQ(csv_text("plain"), "plain");
+  EXPECT_EQ(csv_text(std::string("a\x1b]0;t\x07"
+                                 "b\0c\x7f",
+                                 11)),
+            "a ]0;t b c ");
+  EXPECT_EQ(csv_text("\x1b=cmd"), "' =cmd");
   EXPECT_EQ(csv_text("a,b"), "\"a,b\"");
   EXPECT_EQ(csv_text("say \"x\""), "\"say \"\"x\"\"\"");
   EXPECT_EQ(csv_text("two\nlines"), "\"two\nlines\"");

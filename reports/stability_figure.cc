@@ -58,9 +58,10 @@ std::vector<Figure> maps_over(const Finding& finding, const char* y_name, const 
     const Json line = {{"type", "line"}, {"color", "#000000"}, {"strokeDash", {6, 3}}, {"point", true}};
     const Json limit = layer(line, {{"x", logarithmic("limit", "step [s]")}, {"y", y}, {"order", plain(y_name, "")}},
                              "isValid(datum.limit)");
-    all.push_back(
-        {finding.name + "-" + integrator, specification(integrator + ": " + title, data_of(finding, integrator),
-                                                        Json::array(), Json::array({cells, limit}))});
+    Json map = specification(integrator + ": " + title, data_of(finding, integrator), Json::array(),
+                             Json::array({cells, limit}));
+    map["title"] = integrator + ": ";
+    all.push_back({finding.name + "-" + integrator, std::move(map)});
   }
   return all;
 }

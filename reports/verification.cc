@@ -12,8 +12,9 @@ namespace {
 using Kind = Column::Kind;
 
 // What a check's number is held to.
-std::string reference_of(const Check& check, const Scene* scene) {
-  if (!check.table.empty()) return "what theory says, in the table " + check.table;
+std::string reference_of(const CheckResult& result, const Scene* scene) {
+  const Check& check = result.check;
+  if (!check.table.empty()) return result.footing.reference;
   if (!scene) return check.truth;
   if (check.truth == "exact") return "closed form " + scene->truth.exact;
   const std::string rtol = format_setting(scene->truth.relative_tolerance);
@@ -22,43 +23,48 @@ std::string reference_of(const Check& check, const Scene* scene) {
   return "full order on the same mesh, adaptive steps at rtol " + rtol + "/100";
 }
 
-std::string kind_of(const Check& check) {
-  if (!check.table.empty()) return "analytical";
+std::string kind_of(const CheckResult& result) {
+  const Check& check = result.check;
+  if (!check.table.empty()) return result.footing.kind;
   return check.truth == "exact" ? "closed form" : check.truth == "finer" ? "converged numbers" : "second route";
 }
 
 std::string uncertainty_of(const CheckResult& result) {
   if (result.error_bar > 0) return format_number(result.error_bar, 2);
-  return result.check.table.empty() ? "below the digits shown" : "none of its own";
+  if (result.has_bar) return "below the digits shown";
+  return result.check.table.empty() ? "none: of the answer alone" : result.footing.uncertainty;
 }
 
+std::string unit_of(const CheckResult& result) { return result.unit == "-" ? "" : result.unit; }
+
 }  // namespace
+
+std::string checked(const Check& check) {
+  if (check.method.empty()) return subject_of(check);
+  return joined({check.method, check.rotation, "r = " + std::to_string(check.modes)}, " ") + ": " + subject_of(check);
+}
 
 Sheet verification_table(const Evaluation& evaluation) {
   Sheet table{.name = "verification",
               .title = "Verification",
               .note =
                   "Every check of every case: what it is held to, how uncertain that is, the tolerance and why it "
-                  "is that, and what came out. Uncertainty: in the unit of the result, of the truth's mesh and of "
-                  "its steps (Richardson's distance between two of each); of closed forms that of their series.",
+                  "is that, and what came out. Uncertainty: in the unit of the result; of truths in full order the "
+                  "distance between two meshes and between two tolerances, which is not less than Richardson's "
+                  "estimate where the order is at least one and cells are halved; of closed forms that of their "
+                  "series. A check holds only where every value within it is inside the tolerance.",
               .columns = {},
               .rows = {},
               .n_keys = 0};
-  table.columns = {{"case", ""},      {"profile", ""}, {"what", ""},
-                   {"reference", ""}, {"kind", ""},    {"uncertainty", ""},
-                   {"tolerance", ""}, {"why", ""},     {"result", "", Kind::number},
+  table.columns = {{"case", ""},   {"profile", ""},     {"what", ""},      {"unit", ""}, {"reference", ""},
+                   {"kind", ""},   {"uncertainty", ""}, {"tolerance", ""}, {"why", ""},  {"result", "", Kind::number},
                    {"verdict", ""}};
   for (const CheckResult& result : evaluation.checks) {
-    const Check& check = result.check;
     const Scene* scene = scene_of(evaluation, result.case_name, result.profile);
-    const std::string of = check.method.empty()
-                               ? subject_of(check)
-                               : joined({check.method, check.rotation, "r = " + std::to_string(check.modes)}, " ") +
-                                     ": " + subject_of(check);
-    table.rows.push_back({text_cell(result.case_name), text_cell(result.profile), text_cell(of),
-                          text_cell(reference_of(check, scene)), text_cell(kind_of(check)),
-                          text_cell(uncertainty_of(result)), text_cell(bound(check)), text_cell(check.why),
-                          measured_cell(result), text_cell(verdict(result))});
+    table.rows.push_back({text_cell(result.case_name), text_cell(result.profile), text_cell(checked(result.check)),
+                          text_cell(unit_of(result)), text_cell(reference_of(result, scene)),
+                          text_cell(kind_of(result)), text_cell(uncertainty_of(result)), text_cell(bound(result.check)),
+                          text_cell(result.check.why), measured_cell(result), text_cell(verdict(result))});
   }
   return table;
 }

@@ -8,6 +8,9 @@
 
 namespace mb {
 
+// "static-correction r = 32: peak-force", "table locking-growth, column growth of static error, row Q1"
+std::string checked(const Check& check);
+
 Sheet verification_table(const Evaluation& evaluation);
 
 // The same as a document of its own, with how it was made: what docs/verification.md is.

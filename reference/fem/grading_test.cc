@@ -6,6 +6,7 @@
 
 #include "cases/scene/resolution.h"
 #include "mechanics/algebra/noise.h"
+#include "mechanics/algebra/worse_test.h"
 #include "reference/fem/assembly.h"
 #include "reference/fem/evaluation.h"
 #include "reference/fem/supports.h"
@@ -149,7 +150,7 @@ TEST(Grading, PlacesNodesOnTheExactSurface) {
         face->get_dof_indices(ids);
         for (const auto a : ids) {
           double& worst = d.hanging.is_constrained(a) ? hanging : free;
-          worst = std::max(worst, std::abs(x.col(static_cast<Index>(a)).norm() / 0.07 - 1));
+          worst = worse(worst, std::abs(x.col(static_cast<Index>(a)).norm() / 0.07 - 1));
         }
       }
     EXPECT_LT(free, 1e-14) << to_string(resolution);

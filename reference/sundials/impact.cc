@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -76,8 +77,9 @@ class SundialsInContact final : public Stepper {
 
   States run(const VectorXd& times) const override {
     const Index n = system_.u0.size(), n_t = times.size();
-    States out{MatrixXd(n, n_t), MatrixXd(n, n_t), {}, Status::ok, 0, {}, VectorXd(n_t)};
-    out.contact = {Matrix3Xd(3, n_t), Matrix3Xd(3, n_t), VectorXd(n_t), VectorXd(n_t), {}};
+    const VectorXd unknown = VectorXd::Constant(n_t, std::numeric_limits<double>::quiet_NaN());
+    States out{MatrixXd(n, n_t), MatrixXd(n, n_t), {}, Status::ok, 0, {}, unknown};
+    out.contact = {unknown.transpose().replicate<3, 1>(), unknown.transpose().replicate<3, 1>(), unknown, unknown, {}};
     ark::Run run(system_, parts_, accuracy_);
     TouchLog log;
     if (meet_) log.meet(0);
@@ -101,6 +103,7 @@ class SundialsInContact final : public Stepper {
       last = std::exchange(now, end(run, t));
       note(now, log);
     }
+    blank_rest(out);
     out.contact.touches = log.touches();
     out.work = run.work();
     out.work.factorisations += 1;  // of the mass

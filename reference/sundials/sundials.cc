@@ -83,6 +83,7 @@ class Sundials final : public Stepper {
       out.v.col(k) = run.velocity();
       out.n_valid = k + 1;
     }
+    blank_rest(out);
     out.work = run.work();
     out.work.factorisations += parts_.mass.is_diagonal() ? 0 : 1;
     return out;
