@@ -43,7 +43,7 @@ const std::vector<Door> doors = {
     {"BLAS", "cblas|lapacke|openblas|mkl|Eigen/(PaStiX|Pardiso|SuperLU)Support", "mechanics/algebra/"},
     {"muParser", "muParser", "mechanics/history/expression.cc"},
     {"toml++", "toml\\+\\+/|toml\\.h", "cases/scene/toml.cc"},
-    {"JSON", "nlohmann/", "cases/json/json.h"},
+    {"JSON", "nlohmann/", "cases/json/"},
     {"deal.II", "deal\\.II/", "reference/fem/"},
     {"SUNDIALS", "arkode|cvode|ida|kinsol|nvector/|sundials|sunmatrix/|sunlinsol/|sunnonlinsol/",
      "reference/sundials/"},

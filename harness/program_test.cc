@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cases/json/json.h"
 #include "cases/json/record_json.h"
 #include "harness/commands/commands.h"
 #include "harness/program_test.h"

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "reference/static_answer.h"
 
 namespace mb {
@@ -10,13 +11,13 @@ const Material rubber{2e4, 0.45, 1100};
 // All modes by a dense solver; asked for n elastic ones it returns n + extra.
 ModeSolver dense_modes(int extra) {
   return [extra](const System& s, const Body&, int n_elastic) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(s.K), MatrixXd(s.M));
+    const EigenPairs eigen = generalized_eigen(MatrixXd(s.K), MatrixXd(s.M)).value();
     Modes modes;
     modes.n_rigid = s.R.cols();
     const Index n = std::min<Index>(s.K.rows(), modes.n_rigid + n_elastic + extra);
-    modes.omega = solver.eigenvalues().head(n).cwiseMax(0).cwiseSqrt();
+    modes.omega = eigen.values.head(n).cwiseMax(0).cwiseSqrt();
     modes.omega.head(modes.n_rigid).setZero();
-    modes.Phi = solver.eigenvectors().leftCols(n);
+    modes.Phi = eigen.vectors.leftCols(n);
     return modes;
   };
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "reference/static_answer.h"
 
 namespace mb {
@@ -37,11 +38,11 @@ TEST(Dashpot, StandsBesideRatiosOfModes) {
   scene.bodies[0].dashpots = {{{"z-max", Disc{{0, 0, 0.15}, 0.04}}, Vector3d(0, 0, 1), 2}};
   scene.bodies[0].damping_ratios = {0.02};
   const ModeSolver two = [](const System& s, const Body&, int) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(s.K), MatrixXd(s.M));
+    const EigenPairs eigen = generalized_eigen(MatrixXd(s.K), MatrixXd(s.M)).value();
     Modes modes;
     modes.n_rigid = 0;
-    modes.omega = solver.eigenvalues().head(2).cwiseSqrt();
-    modes.Phi = solver.eigenvectors().leftCols(2);
+    modes.omega = eigen.values.head(2).cwiseSqrt();
+    modes.Phi = eigen.vectors.leftCols(2);
     return modes;
   };
   const System s = full_model(scene, scene.bodies[0], scene.bodies[0].resolution, two)->system();

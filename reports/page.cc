@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "cases/json/json.h"
 #include "reports/claims.h"
 #include "reports/definitions.h"
 #include "reports/environment.h"

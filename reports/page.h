@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "cases/json/json.h"
+#include "cases/json/json_type.h"
 #include "reports/views.h"
 
 namespace mb {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "cases/json/json.h"
 #include "reports/page.h"
 
 namespace mb {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "cases/json/json.h"
 #include "reports/content.h"
 
 namespace mb {

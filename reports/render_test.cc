@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "cases/json/json.h"
 #include "reports/number.h"
 #include "reports/page.h"
 #include "reports/synthetic.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cases/scene/one_body.h"
+#include "mechanics/geometry/pose.h"
 #include "mechanics/geometry/signed_distance.h"
 
 namespace mb {
@@ -73,8 +74,7 @@ TEST(Touchdown, OfAFaceOrAnEdgeIsItsMiddle) {
 TEST(Touchdown, OfSeveralObstaclesEachAlone) {
   Scene scene = above_floor(Sphere{0.05}, {0, 0, 1}, {4, 0, 0});
   scene.obstacles.push_back(
-      {"wall",
-       {HalfSpace{}, 0, {{1.05, 0, 0}, Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), -Vector3d::UnitX())}}});
+      {"wall", {HalfSpace{}, 0, {{1.05, 0, 0}, shortest_turn(Vector3d::UnitZ(), -Vector3d::UnitX())}}});
   scene.obstacles.push_back({"far", {Sphere{0.1}, 0, {{0, 5, 1}, {1, 0, 0, 0}}}});
   for (const char* name : {"wall", "far"})
     scene.contacts.push_back({.body = scene.bodies[0].name, .obstacle = name, .stiffness = 0});

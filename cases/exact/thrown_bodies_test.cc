@@ -7,6 +7,7 @@
 
 #include "cases/exact/exact.h"
 #include "cases/scene/one_body.h"
+#include "mechanics/geometry/pose.h"
 #include "mechanics/geometry/signed_distance.h"
 
 namespace mb {
@@ -32,7 +33,7 @@ Scene rod() {
   Body& body = scene.bodies[0];
   scene.obstacles[0].surface.pose = {Vector3d(0.3, 0.1, -0.2), turn};
   body.pose.position = Vector3d(0.3, 0.1, -0.2) + 0.101 * n + 0.3 * across;
-  body.pose.orientation = turn * Eigen::Quaterniond::FromTwoVectors(-Vector3d::UnitY(), Vector3d::UnitZ());
+  body.pose.orientation = turn * shortest_turn(-Vector3d::UnitY(), Vector3d::UnitZ());
   body.twist.velocity = -0.5 * n + 0.2 * across;
   scene.contacts[0].stiffness = 50 * 3e6 / 0.2;
   scene.duration = 0.02;

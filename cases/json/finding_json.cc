@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "cases/json/json.h"
 #include "cases/json/members.h"
 #include "cases/scene/printable.h"
 

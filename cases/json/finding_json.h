@@ -8,7 +8,7 @@
 #pragma once
 
 #include "cases/contract/finding.h"
-#include "cases/json/json.h"
+#include "cases/json/json_type.h"
 
 namespace mb {
 

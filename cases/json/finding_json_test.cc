@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/json/json.h"
+
 namespace mb {
 namespace {
 

@@ -1,4 +1,4 @@
-// The door of nlohmann/json: keys keep the order in which they were written.
+// The door of nlohmann/json.
 //
 // JSON that comes from outside goes through parse_json, which limits nesting; dump() throws on text that is not UTF-8,
 // to_line does not.
@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-namespace mb {
+#include "cases/json/json_type.h"
 
-using Json = nlohmann::ordered_json;
+namespace mb {
 
 // Throws std::runtime_error with one sentence (no text of the input in it) on anything that is not one JSON value, on
 // nesting deeper than max_depth, on a key that occurs twice in one object and on numbers outside the range of double.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "cases/json/json.h"
 #include "cases/scene/printable.h"
 
 namespace mb {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/json/json.h"
+#include "cases/json/json_type.h"
 
 namespace mb {
 

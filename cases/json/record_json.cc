@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/json/json.h"
 #include "cases/json/members.h"
 #include "cases/scene/printable.h"
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "cases/contract/record.h"
-#include "cases/json/json.h"
+#include "cases/json/json_type.h"
 
 namespace mb {
 

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <limits>
 
+#include "cases/json/json.h"
+
 namespace mb {
 namespace {
 

@@ -2,6 +2,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cases/json/json.h"
 #include "cases/json/record_json.h"
 
 namespace mb {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/rigid/inertia.h"
 #include "modal/methods/projection.h"
 
@@ -76,15 +77,15 @@ Basis with_shapes(const Modes& modes, const MatrixXd& Psi, const System& system,
   if (!(mass_of_shapes > 0)) throw std::invalid_argument("static shapes need some mass");
   if (n_s == 0) return {modes};
   const MatrixXd M = Psi.transpose() * (system.M * Psi), K = Psi.transpose() * (system.K * Psi);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(M, K);  // ascending in mu, descending in omega
-  if (eigen.info() != Eigen::Success || !(eigen.eigenvalues().minCoeff() > 0))
+  const auto eigen = generalized_eigen(M, K);  // ascending in mu, descending in omega
+  if (!eigen || !(eigen->values.minCoeff() > 0))
     throw std::invalid_argument("static shapes have no modes of their own");
-  const VectorXd omega = eigen.eigenvalues().cwiseSqrt().cwiseInverse().reverse();
+  const VectorXd omega = eigen->values.cwiseSqrt().cwiseInverse().reverse();
   Modes all = modes;
   all.omega.conservativeResize(n + n_s);
   all.omega.tail(n_s) = omega;
   all.Phi.conservativeResize(Eigen::NoChange, n + n_s);
-  all.Phi.rightCols(n_s) = Psi * eigen.eigenvectors().rowwise().reverse() * omega.asDiagonal();
+  all.Phi.rightCols(n_s) = Psi * eigen->vectors.rowwise().reverse() * omega.asDiagonal();
   all.residual.conservativeResize(n + n_s);
   all.residual.tail(n_s).setConstant(std::nan(""));  // they are none of the body
   return {std::move(all), n_s, mass_of_shapes};

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
+
 namespace mb {
 
 Recording recording(const MatrixXd& x, const VectorXd& w, double rate) {
@@ -14,12 +16,12 @@ Recording recording(const MatrixXd& x, const VectorXd& w, double rate) {
   const MatrixXd weighted = w.cwiseSqrt().asDiagonal() * x;
   const bool wide = weighted.cols() > weighted.rows();
   const MatrixXd gram = wide ? MatrixXd(weighted * weighted.transpose()) : MatrixXd(weighted.transpose() * weighted);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
-  const VectorXd& squares = solver.eigenvalues();  // of singular values, ascending
+  const EigenPairs of_gram = symmetric_eigen(gram);
+  const VectorXd& squares = of_gram.values;  // of singular values, ascending
   const double largest = squares(squares.size() - 1);
   if (!(largest > 0)) return {MatrixXd::Zero(x.rows(), 1), PaddedSpectrum(MatrixXd::Zero(1, x.cols()), rate)};
   const Index n_kept = (squares.array() > 1e-14 * largest).count();
-  const MatrixXd kept = solver.eigenvectors().rightCols(n_kept);
+  const MatrixXd kept = of_gram.vectors.rightCols(n_kept);
   if (wide) return {kept, PaddedSpectrum(kept.transpose() * weighted, rate)};
   const VectorXd sigma = squares.tail(n_kept).cwiseSqrt();
   return {weighted * kept * sigma.cwiseInverse().asDiagonal(),

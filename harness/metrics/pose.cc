@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/geometry/pose.h"
+
 namespace mb {
 
 namespace {
@@ -24,10 +26,7 @@ RigidFrame rigid_frame(const Matrix3Xd& X, const VectorXd& w, const VectorXd& u)
   const Matrix3Xd x = X + as_points(u);
   const Vector3d c = centroid(x, w), X_c = centroid(X, w);
   const Eigen::Matrix3d correlation = (x.colwise() - c) * w.asDiagonal() * (X.colwise() - X_c).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Vector3d sign(1, 1, 1);
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) sign.z() = -1;
-  return {c, svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose()};
+  return {c, nearest_rotation(correlation)};
 }
 
 VectorXd deformation(const RigidFrame& frame, const Vector3d& X_c, const Matrix3Xd& X, const VectorXd& u) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "cases/json/json.h"
 #include "harness/store/scratch_folder_test.h"
 #include "harness/store/store.h"
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "cases/json/finding_json.h"
+#include "cases/json/json.h"
 #include "harness/store/file.h"
 #include "harness/store/hash.h"
 #include "harness/store/run_file.h"

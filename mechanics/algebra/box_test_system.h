@@ -8,6 +8,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/system/system.h"
 
 namespace mb::testing {
@@ -68,9 +69,9 @@ inline MatrixXd rigid_modes(const BoxSystem& box, const Vector3d& centre) {
   MatrixXd free(box.system.M.rows(), 6);
   MatrixXd removed = MatrixXd::Zero(motion.rows(), 6);
   for (Index i = 0; i < motion.rows(); ++i) (box.dof[i] < 0 ? removed.row(i) : free.row(box.dof[i])) = motion.row(i);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> of(removed.transpose() * removed);
-  const Index m = (of.eigenvalues().array() < 1e-12 * motion.squaredNorm()).count();
-  const MatrixXd R = free * of.eigenvectors().leftCols(m);
+  const EigenPairs of = symmetric_eigen(removed.transpose() * removed);
+  const Index m = (of.values.array() < 1e-12 * motion.squaredNorm()).count();
+  const MatrixXd R = free * of.vectors.leftCols(m);
   const MatrixXd gram = R.transpose() * (box.system.M * R);
   return gram.llt().matrixU().solve<Eigen::OnTheRight>(R);
 }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "mechanics/contact/contact_steppers.h"
+#include "mechanics/geometry/pose.h"
 #include "mechanics/system/newmark.h"
 
 namespace mb {
@@ -50,7 +51,7 @@ class Springs final : public StoredEnergy {
   }
   std::vector<Turn> turns(const VectorXd& u) const override {  // from end to end, which is as good as any
     const Vector3d r = X_.tail<3>() + u.tail<3>() - X_.head<3>() - u.head<3>();
-    const auto Q = Eigen::Quaterniond::FromTwoVectors(X_.tail<3>() - X_.head<3>(), r);
+    const auto Q = shortest_turn(X_.tail<3>() - X_.head<3>(), r);
     return {{0, u.size(), Q.toRotationMatrix()}};
   }
   MatrixXd rigid_motions(const VectorXd& u) const override {

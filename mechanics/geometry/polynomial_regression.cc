@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "mechanics/algebra/dense_eigen.h"
+
 namespace mb {
 
 namespace {
@@ -27,11 +29,6 @@ Index first_largest(const VectorXd& v) {
 MatrixXd without(const Eigen::Ref<const MatrixXd>& Q, const MatrixXd& v) {
   const MatrixXd along = Q.transpose() * v;
   return v - Q * along;
-}
-
-double spectral_norm(const MatrixXd& A) {
-  const MatrixXd gram = A.transpose() * A;
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<MatrixXd>(gram, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
 }
 
 struct Orthonormal {

@@ -18,4 +18,10 @@ struct Twist {
   Vector3d angular_velocity = Vector3d::Zero();  // [rad/s]
 };
 
+// The rotation nearest to A in the Frobenius norm:   A = U S V^T,   R = U diag(1, 1, det(U V^T)) V^T.   Kabsch 1978.
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& A);
+
+// The least turn that takes the direction `from` to the direction `to`; of opposite ones, one of many.
+Eigen::Quaterniond shortest_turn(const Vector3d& from, const Vector3d& to);
+
 }  // namespace mb

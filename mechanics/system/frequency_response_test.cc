@@ -1,4 +1,5 @@
 #include "mechanics/system/frequency_response.h"
+#include "mechanics/algebra/dense_eigen.h"
 
 #include <gtest/gtest.h>
 
@@ -46,8 +47,8 @@ struct Spectrum {
   MatrixXd Phi;
 };
 Spectrum spectrum(const System& system) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(system.K), MatrixXd(system.M));
-  return {solver.eigenvalues().cwiseMax(0).cwiseSqrt(), solver.eigenvectors()};
+  const EigenPairs eigen = generalized_eigen(MatrixXd(system.K), MatrixXd(system.M)).value();
+  return {eigen.values.cwiseMax(0).cwiseSqrt(), eigen.vectors};
 }
 
 MatrixXcd dense_response(const System& system, Index load, const VectorXd& omega) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/system/symmetric_product.h"
 
 namespace mb {
@@ -75,8 +76,8 @@ void rotate_repeated(const VectorXd& lambda, const System& system, MatrixXd& Phi
     if (count == 1) continue;
     auto repeated = Phi.middleCols(first, count);
     const MatrixXd G = repeated.transpose() * W;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(G * d.asDiagonal() * G.transpose());
-    repeated = (repeated * solver.eigenvectors()).eval();
+    const EigenPairs among = symmetric_eigen(G * d.asDiagonal() * G.transpose());
+    repeated = (repeated * among.vectors).eval();
   }
 }
 
@@ -89,19 +90,15 @@ ModalForm dense(const System& system) {
   const Index n = system.M.rows(), n_rigid = system.R.cols();
   if (n > largest_dense)
     throw std::invalid_argument(fmt::format("{} unknowns: a dense eigenproblem is limited to {}", n, largest_dense));
-  const Eigen::LLT<MatrixXd> M(MatrixXd(system.M));
-  if (M.info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
-  MatrixXd A = M.matrixL().solve(MatrixXd(system.K));  // L^-1 K L^-T, M = L L^T
-  A = M.matrixL().solve(A.transpose()).eval();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(A);
-  if (solver.info() != Eigen::Success) throw std::runtime_error("the dense eigensolver has not converged");
-  MatrixXd Phi = M.matrixU().solve(solver.eigenvectors());
+  auto eigen = generalized_eigen(MatrixXd(system.K), MatrixXd(system.M));
+  if (!eigen) throw std::invalid_argument("the mass matrix is not positive definite");
+  MatrixXd Phi = std::move(eigen->vectors);
   if (n_rigid > 0) {
     Phi.leftCols(n_rigid) = system.R;
     auto elastic = Phi.rightCols(n - n_rigid);
     elastic -= system.R * ((system.M * system.R).transpose() * elastic);
   }
-  VectorXd lambda = without_rounding(solver.eigenvalues(), n_rigid);
+  VectorXd lambda = without_rounding(std::move(eigen->values), n_rigid);
   if (system.modal_damping.d.size() > 0) rotate_repeated(lambda, system, Phi);
   const MatrixXd G =
       system.modal_damping.d.size() > 0 ? MatrixXd(Phi.transpose() * system.modal_damping.W) : MatrixXd();

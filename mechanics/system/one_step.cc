@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
+
 namespace mb {
 
 namespace {
@@ -58,7 +60,7 @@ double oscillating_step(const CoupledModes& modes) {
   constexpr double rounding = 1e-12;  // [-] of |mu|
   const Scaled scaled{energy_scales(modes.K, 1).asDiagonal(),
                       modes.K * energy_scales(modes.K, 1).cwiseInverse().asDiagonal(), modes.C};
-  const Eigen::VectorXcd mu = Eigen::EigenSolver<MatrixXd>(generator(scaled), false).eigenvalues();
+  const Eigen::VectorXcd mu = general_eigenvalues(generator(scaled));
   const double largest = mu.cwiseAbs().maxCoeff();
   double step = std::numeric_limits<double>::infinity();
   for (const std::complex<double>& one : mu) {
@@ -95,8 +97,7 @@ double stable_step(const CoupledModes& modes, const std::string& integrator) {
   const double infinity = std::numeric_limits<double>::infinity();
   if (integrator == "newmark" || modes.K.size() == 0) return infinity;
   if (integrator == "explicit-euler") return oscillating_step(modes);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> K(modes.K, Eigen::EigenvaluesOnly);
-  const double undamped = 2 / std::sqrt(K.eigenvalues().maxCoeff());
+  const double undamped = 2 / std::sqrt(symmetric_eigenvalues(modes.K).maxCoeff());
   if (integrator == "central-difference") return undamped;
   if (integrator == "symplectic-euler") return definite_step(modes, undamped);
   throw std::invalid_argument("stable step: integrator '" + integrator + "' has no matrix of coupled modes");
@@ -104,7 +105,8 @@ double stable_step(const CoupledModes& modes, const std::string& integrator) {
 
 double spectral_radius(const MatrixXd& A) {
   if (A.size() == 0) return 0;
-  return Eigen::EigenSolver<MatrixXd>(A, false).eigenvalues().cwiseAbs().maxCoeff();
+  if (!A.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+  return general_eigenvalues(A).cwiseAbs().maxCoeff();
 }
 
 }  // namespace mb

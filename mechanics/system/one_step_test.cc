@@ -1,4 +1,5 @@
 #include "mechanics/system/one_step.h"
+#include "mechanics/algebra/dense_eigen.h"
 
 #include <gtest/gtest.h>
 
@@ -50,8 +51,8 @@ System with_dashpot(const CoupledModes& modes) {
   System system;
   system.M = SparseMatrix(VectorXd::Ones(3).asDiagonal());
   system.K = modes.K.sparseView();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> C(modes.C);
-  system.modal_damping = {C.eigenvectors().rightCols(1), C.eigenvalues().tail(1)};
+  const EigenPairs C = symmetric_eigen(modes.C);
+  system.modal_damping = {C.vectors.rightCols(1), C.values.tail(1)};
   system.R.resize(3, 0);
   system.F.resize(3, 0);
   system.u0 = omega.cwiseInverse();
@@ -63,7 +64,7 @@ System with_dashpot(const CoupledModes& modes) {
 VectorXd characteristic_polynomial(const MatrixXd& A) {
   Eigen::VectorXcd p = Eigen::VectorXcd::Zero(A.rows() + 1);
   p(0) = 1;
-  for (const std::complex<double> lambda : A.eigenvalues()) {
+  for (const std::complex<double> lambda : general_eigenvalues(A)) {
     Eigen::VectorXcd next = -lambda * p;
     next.tail(A.rows()) += p.head(A.rows());
     p = next;

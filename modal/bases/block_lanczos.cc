@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
+
 namespace mb {
 namespace {
 
@@ -79,14 +81,14 @@ class Space {
   static double normalise(MatrixXd& W, Block& block) {
     const MatrixXd gram = W.transpose() * block.MQ;
     if (!gram.allFinite()) throw std::runtime_error("block Lanczos: the operator gave what is not finite");
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
-    const double largest = eigen.eigenvalues().maxCoeff();
+    const EigenPairs eigen = symmetric_eigen(gram);
+    const double largest = eigen.values.maxCoeff();
     if (!(largest > 0)) {  // nothing is left of W
       block.B.setZero();
       return 1;
     }
-    const VectorXd length = eigen.eigenvalues().cwiseMax(1e-15 * largest).cwiseSqrt();  // rounding may be negative
-    const MatrixXd& U = eigen.eigenvectors();
+    const VectorXd length = eigen.values.cwiseMax(1e-15 * largest).cwiseSqrt();  // rounding may be negative
+    const MatrixXd& U = eigen.vectors;
     const MatrixXd S = U * length.cwiseInverse().asDiagonal();
     W = (W * S).eval();
     block.MQ = (block.MQ * S).eval();
@@ -138,9 +140,9 @@ class BlockLanczos {
 
   // Ritz pairs, the largest first, and how many from the first on have converged.
   Index ritz() {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H_.topLeftCorner(size(), size()));
-    theta_ = eigen.eigenvalues().reverse();
-    y_ = eigen.eigenvectors().rowwise().reverse();
+    const EigenPairs eigen = symmetric_eigen(H_.topLeftCorner(size(), size()));
+    theta_ = eigen.values.reverse();
+    y_ = eigen.vectors.rowwise().reverse();
     n_converged_ = 0;
     while (n_converged_ < size() && residual(n_converged_) <= bound(n_converged_)) ++n_converged_;
     return n_converged_;
@@ -157,7 +159,7 @@ class BlockLanczos {
   }
 
   // x = V y, refined for nothing: T x / theta = x + Q B y_last / theta.
-  EigenPairs converged() const {
+  LargestPairs converged() const {
     const VectorXd theta = theta_.head(n_converged_);
     MatrixXd X = space_.basis() * y_.leftCols(n_converged_);
     if (!exhausted())
@@ -195,8 +197,8 @@ void check_sizes(const MatrixXd& known, const MatrixXd& start, const Krylov& kry
 
 }  // namespace
 
-EigenPairs largest_pairs(const BlockOperator& T, const BlockProduct& M, const MatrixXd& known, const MatrixXd& start,
-                         const std::function<Index(const VectorXd& theta)>& missing, const Krylov& krylov) {
+LargestPairs largest_pairs(const BlockOperator& T, const BlockProduct& M, const MatrixXd& known, const MatrixXd& start,
+                           const std::function<Index(const VectorXd& theta)>& missing, const Krylov& krylov) {
   check_sizes(known, start, krylov);
   BlockLanczos lanczos(T, M, known, start, krylov);
   Index next_look = 4 * start.cols();

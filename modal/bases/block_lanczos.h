@@ -17,7 +17,7 @@ namespace mb {
 using BlockOperator = std::function<MatrixXd(const MatrixXd& MX)>;  // T X, given M X
 using BlockProduct = std::function<MatrixXd(const MatrixXd& X)>;    // M X, M SPD
 
-struct EigenPairs {
+struct LargestPairs {
   VectorXd theta;    // descending
   MatrixXd vectors;  // n x number of pairs, M-orthonormal to about the tolerance; T / theta was applied to them once
   long n_columns;    // that T was applied to
@@ -33,7 +33,7 @@ struct Krylov {
 // 0 ends the search. All that are found come back, fewer than wanted only where T leaves the span of what start leads
 // to; the same start gives the same answer. Throws std::invalid_argument on bad sizes, std::runtime_error after 100
 // restarts or where T gives what is not finite.
-EigenPairs largest_pairs(const BlockOperator& T, const BlockProduct& M, const MatrixXd& known, const MatrixXd& start,
-                         const std::function<Index(const VectorXd& theta)>& missing, const Krylov& krylov);
+LargestPairs largest_pairs(const BlockOperator& T, const BlockProduct& M, const MatrixXd& known, const MatrixXd& start,
+                           const std::function<Index(const VectorXd& theta)>& missing, const Krylov& krylov);
 
 }  // namespace mb

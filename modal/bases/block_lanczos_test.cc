@@ -38,7 +38,7 @@ VectorXd triplets(Index n) {
 TEST(BlockLanczos, FindsEveryCopy) {
   const Diagonal problem(triplets(900));
   for (const Index block : {1, 2, 3, 5, 8}) {
-    const EigenPairs top =
+    const LargestPairs top =
         largest_pairs(problem.T(), problem.M(), nothing(900), noise(900, block, 1), until(12), {200, 1e-10});
     ASSERT_GE(top.theta.size(), 12);
     // Copies beyond the width of the block come through rounding alone and may be late: at most one a column is sure.
@@ -54,7 +54,7 @@ TEST(BlockLanczos, RestartsWhereVectorsAreFew) {
   const auto run = [&](Index n_vectors) {
     return largest_pairs(problem.T(), problem.M(), nothing(900), noise(900, 4, 1), until(9), {n_vectors, 1e-10});
   };
-  const EigenPairs ample = run(300), tight = run(32);
+  const LargestPairs ample = run(300), tight = run(32);
   EXPECT_LT((tight.theta.head(9) - ample.theta.head(9)).cwiseAbs().maxCoeff(), 1e-13);
   EXPECT_GT(tight.n_columns, ample.n_columns);
   EXPECT_LT(tight.n_columns, 4 * ample.n_columns);
@@ -64,7 +64,7 @@ TEST(BlockLanczos, StaysAwayFromWhatIsKnown) {
   const Diagonal problem(triplets(900));
   MatrixXd known(900, 4);
   for (Index i = 0; i < 4; ++i) known.col(i) = problem.eigenvector(i);
-  const EigenPairs top = largest_pairs(problem.T(), problem.M(), known, noise(900, 4, 1), until(6), {120, 1e-10});
+  const LargestPairs top = largest_pairs(problem.T(), problem.M(), known, noise(900, 4, 1), until(6), {120, 1e-10});
   EXPECT_LT((top.theta.head(6) - problem.theta.segment(4, 6)).cwiseAbs().maxCoeff(), 1e-13);
   EXPECT_LT((known.transpose() * problem.mass.asDiagonal() * top.vectors).cwiseAbs().maxCoeff(), 1e-13);
 }
@@ -74,7 +74,7 @@ TEST(BlockLanczos, AgreesWithArpack) {
   const Operator apply = [&](const VectorXd& x, const VectorXd&) -> VectorXd { return problem.theta.cwiseProduct(x); };
   const InnerProduct inner = [&](const VectorXd& x) -> VectorXd { return problem.mass.cwiseProduct(x); };
   const RitzPairs expected = largest_ritz(apply, inner, 6, 40, 0, uniform_noise(500, 1));
-  const EigenPairs top =
+  const LargestPairs top =
       largest_pairs(problem.T(), problem.M(), nothing(500), noise(500, 4, 1), until(6), {160, 1e-12});
   EXPECT_LT((top.theta.head(6) - expected.theta).cwiseAbs().maxCoeff(), 1e-13);
 }
@@ -82,10 +82,12 @@ TEST(BlockLanczos, AgreesWithArpack) {
 TEST(BlockLanczos, EndsWhereTheSpaceDoes) {
   // Ten different eigenvalues: a single vector sees ten, and the space is exhausted before 40 are found.
   const Diagonal problem(VectorXd::NullaryExpr(90, [](Index i) { return 1. + static_cast<double>(i % 10); }));
-  const EigenPairs one = largest_pairs(problem.T(), problem.M(), nothing(90), noise(90, 1, 1), until(40), {80, 1e-10});
+  const LargestPairs one =
+      largest_pairs(problem.T(), problem.M(), nothing(90), noise(90, 1, 1), until(40), {80, 1e-10});
   ASSERT_EQ(one.theta.size(), 10);
   EXPECT_LT((one.theta - VectorXd::LinSpaced(10, 10, 1)).cwiseAbs().maxCoeff(), 1e-12);
-  const EigenPairs all = largest_pairs(problem.T(), problem.M(), nothing(90), noise(90, 15, 1), until(90), {90, 1e-10});
+  const LargestPairs all =
+      largest_pairs(problem.T(), problem.M(), nothing(90), noise(90, 15, 1), until(90), {90, 1e-10});
   ASSERT_EQ(all.theta.size(), 90);
   VectorXd expected = problem.theta;
   std::sort(expected.begin(), expected.end(), std::greater());
@@ -97,7 +99,7 @@ TEST(BlockLanczos, BearsAStartThatIsNearlyDependent) {
   MatrixXd start = noise(900, 4, 1);
   start.col(2) = start.col(1) + 1e-9 * start.col(2);
   start.col(3) = start.col(0);
-  const EigenPairs top = largest_pairs(problem.T(), problem.M(), nothing(900), start, until(6), {200, 1e-10});
+  const LargestPairs top = largest_pairs(problem.T(), problem.M(), nothing(900), start, until(6), {200, 1e-10});
   EXPECT_LT((top.theta.head(6) - problem.theta.head(6)).cwiseAbs().maxCoeff(), 1e-12);
 }
 

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/system/static_response.h"
 
 namespace mb {
@@ -15,11 +16,11 @@ ElasticModes dense_modes(const System& system) {
         fmt::format("modes: more than a third of {} asked for, which needs a dense solver; it "
                     "takes at most {} degrees of freedom",
                     n, largest_dense));
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(system.K), MatrixXd(system.M));
-  if (eigen.info() != Eigen::Success) throw std::runtime_error("modes: the dense eigenproblem failed");
+  const auto eigen = generalized_eigen(MatrixXd(system.K), MatrixXd(system.M));
+  if (!eigen) throw std::runtime_error("modes: the dense eigenproblem failed");
   // The rigid modes come first, near zero. Rounding mixes them with the lowest elastic ones by eps lambda_max/lambda_1,
   // which the projection takes out again.
-  return {eigen.eigenvalues().tail(n_elastic), without_rigid_part(system, eigen.eigenvectors().rightCols(n_elastic))};
+  return {eigen->values.tail(n_elastic), without_rigid_part(system, eigen->vectors.rightCols(n_elastic))};
 }
 
 }  // namespace mb

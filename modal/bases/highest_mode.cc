@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanics/algebra/cholesky.h"
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/algebra/noise.h"
 #include "modal/bases/arpack.h"
 
@@ -13,8 +14,7 @@ SteppedMode highest_mode(const System& system) {
   const auto n = static_cast<int>(system.K.rows());
   SteppedMode mode;
   if (n < 12) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(system.K), MatrixXd(system.M));
-    mode.phi = solver.eigenvectors().col(n - 1);
+    mode.phi = generalized_eigen(MatrixXd(system.K), MatrixXd(system.M)).value().vectors.col(n - 1);
   } else {
     const Cholesky mass(system.M);
     const Operator apply = [&](const VectorXd& x, const VectorXd&) { return mass.solve(VectorXd(system.K * x)); };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mechanics/algebra/cholesky.h"
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/algebra/noise.h"
 #include "modal/bases/arpack.h"
 
@@ -10,11 +11,7 @@ namespace mb {
 
 double largest_eigenvalue(const System& system) {
   const int n = static_cast<int>(system.K.rows());
-  if (n < 3)
-    return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(MatrixXd(system.K), MatrixXd(system.M),
-                                                              Eigen::EigenvaluesOnly)
-        .eigenvalues()
-        .maxCoeff();
+  if (n < 3) return generalized_eigenvalues(MatrixXd(system.K), MatrixXd(system.M)).value().maxCoeff();
   // Ritz values approach from below, each within its residual of an eigenvalue: added, it leaves the safe side.
   constexpr double tolerance = 0.03;
   const Cholesky mass(system.M);

@@ -4,16 +4,18 @@
 
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
+
 namespace mb {
 namespace {
 
 // Columns dependent to rounding, as of polynomials on meshes of few nodes, are left out.
 MatrixXd orthonormal(const SparseMatrix& M, const MatrixXd& Y) {
   if (Y.cols() == 0) return Y;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(Y.transpose() * (M * Y));
-  const VectorXd& mass = gram.eigenvalues();
+  const EigenPairs gram = symmetric_eigen(Y.transpose() * (M * Y));
+  const VectorXd& mass = gram.values;
   const Index n_kept = (mass.array() > 1e-12 * mass.maxCoeff()).count();
-  return Y * gram.eigenvectors().rightCols(n_kept) * mass.tail(n_kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  return Y * gram.vectors.rightCols(n_kept) * mass.tail(n_kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 }  // namespace

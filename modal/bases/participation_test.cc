@@ -1,5 +1,6 @@
 // Degrees and participation of modes: sums over all of them, and shapes whose degree is known.
 #include "modal/bases/participation.h"
+#include "mechanics/algebra/dense_eigen.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ MatrixXd translations(Index n_nodes) { return Eigen::Matrix3d::Identity().replic
 
 // All modes of K phi = lambda M phi, rigid ones included.
 MatrixXd every_mode(const System& system) {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(MatrixXd(system.K), MatrixXd(system.M)).eigenvectors();
+  return generalized_eigen(MatrixXd(system.K), MatrixXd(system.M)).value().vectors;
 }
 
 TEST(ParticipationTest, OfAClampedBoxAddsUpToWhatItsFreeNodesCarry) {

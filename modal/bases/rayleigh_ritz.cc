@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/system/static_response.h"
 #include "modal/bases/gate.h"
 
@@ -15,10 +16,10 @@ ElasticModes rayleigh_ritz(const System& system, const MatrixXd& Y) {
   const RowMajor rows = X;  // each entry of a matrix then meets a row of X, not one number after another
   const RowMajor MX = system.M * rows, KX = system.K * rows;
   const MatrixXd gram = X.transpose() * MX, stiffness = X.transpose() * KX;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(stiffness, gram);
-  if (eigen.info() != Eigen::Success || !eigen.eigenvectors().allFinite())
+  const auto eigen = generalized_eigen(stiffness, gram);
+  if (!eigen || !eigen->vectors.allFinite())
     throw std::runtime_error("rayleigh_ritz: the columns of the subspace depend on one another");
-  return {eigen.eigenvalues(), X * eigen.eigenvectors()};
+  return {eigen->values, X * eigen->vectors};
 }
 
 Modes with_rigid(const System& system, const ElasticModes& elastic) {

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/system/static_response.h"
 #include "modal/bases/rayleigh_ritz.h"
 
@@ -22,16 +23,16 @@ MatrixXd with_unit_mass(MatrixXd X, const MatrixXd& MX) {
 MatrixXd elastic_part(const System& system, const MatrixXd& Y) {
   const Index n_elastic = Y.cols() - system.R.cols();
   const MatrixXd X = without_rigid_part(system, without_rigid_part(system, Y));
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(X.transpose() * (system.M * X));
-  const VectorXd mass = gram.eigenvalues().tail(n_elastic);
-  const double beyond = n_elastic < Y.cols() ? gram.eigenvalues()(Y.cols() - n_elastic - 1) : 0;
+  const EigenPairs gram = symmetric_eigen(X.transpose() * (system.M * X));
+  const VectorXd mass = gram.values.tail(n_elastic);
+  const double beyond = n_elastic < Y.cols() ? gram.values(Y.cols() - n_elastic - 1) : 0;
   // Rounding leaves about 1e-16 of what is rigid; polynomials on bodies of slenderness 50 stay above 1e-8.
   constexpr double dependent = 1e-12;
   if (!(mass.minCoeff() > dependent))
     throw std::runtime_error(fmt::format("ritz_modes: the functions depend on one another ({:.1e})", mass.minCoeff()));
   if (!(beyond <= dependent))
     throw std::runtime_error(fmt::format("ritz_modes: the functions do not contain the rigid modes ({:.1e})", beyond));
-  return X * gram.eigenvectors().rightCols(n_elastic) * mass.cwiseSqrt().cwiseInverse().asDiagonal();
+  return X * gram.vectors.rightCols(n_elastic) * mass.cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 }  // namespace

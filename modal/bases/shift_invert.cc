@@ -46,7 +46,8 @@ ElasticModes shift_invert(const System& system, Index n_elastic, const ShiftedFa
     return std::min(std::max(keep, n_elastic) + effort.n_spare, n_all) - n_known;
   };
   const Krylov krylov{std::min(n_all, room(n_elastic, effort)), effort.tolerance};
-  const EigenPairs found = largest_pairs(inverse, mass, system.R, noise(n, effort.block, effort.seed), missing, krylov);
+  const LargestPairs found =
+      largest_pairs(inverse, mass, system.R, noise(n, effort.block, effort.seed), missing, krylov);
   // Lanczos measures errors in the M norm; in the plain residual the high frequencies weigh lambda_max/lambda times
   // more. One more application of T damps them by as much: what is left is what rounding of phi makes of K phi, about
   // eps | |K| |phi| |, a hundredth to a hundred thousandth of what it was.

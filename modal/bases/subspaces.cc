@@ -7,15 +7,15 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
+
 namespace mb {
 namespace {
 
 // |D|_M, by the eigenvalues of D^T M D.
 double largest_in_mass_norm(const SparseMatrix& M, const MatrixXd& D) {
   const MatrixXd squared = D.transpose() * (M * D);
-  const double largest =
-      Eigen::SelfAdjointEigenSolver<MatrixXd>(squared, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
-  return std::sqrt(std::max(0.0, largest));
+  return std::sqrt(std::max(0.0, symmetric_eigenvalues(squared).maxCoeff()));
 }
 
 double outside(const SparseMatrix& M, const MatrixXd& A, const MatrixXd& B) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/geometry/graded_rule.h"
 #include "mechanics/geometry/signed_distance.h"
 #include "mechanics/system/static_response.h"
@@ -100,12 +101,11 @@ MatrixXd contact_shapes(const Scene& scene, const Body& body, const BodyModel& m
     if (energy[k] > left_over * whole[k]) missing.push_back(k);
   if (missing.empty()) return MatrixXd(F.rows(), 0);
   Psi = MatrixXd(Psi(Eigen::all, missing)) * energy(missing).cwiseSqrt().cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(Psi.transpose() * (system.K * Psi)));
+  const EigenPairs eigen = symmetric_eigen(Psi.transpose() * (system.K * Psi));
   std::vector<Index> kept;
   for (Index k = 0; k < Psi.cols(); ++k)
-    if (eigen.eigenvalues()[k] > independent * eigen.eigenvalues().maxCoeff()) kept.push_back(k);
-  return Psi * eigen.eigenvectors()(Eigen::all, kept) *
-         eigen.eigenvalues()(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+    if (eigen.values[k] > independent * eigen.values.maxCoeff()) kept.push_back(k);
+  return Psi * eigen.vectors(Eigen::all, kept) * eigen.values(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 }  // namespace mb

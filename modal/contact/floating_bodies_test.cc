@@ -1,5 +1,7 @@
 #include "modal/contact/floating_bodies_test.h"
 
+#include "mechanics/geometry/pose.h"
+
 namespace mb::testing {
 
 Vector3d half_box(const Shape& shape) {
@@ -87,7 +89,7 @@ ImpactPlan plan_of(const FloatingBody& body, const Shape& shape, const Polynomia
 }
 
 RigidSurface wall(const Vector3d& x, const Vector3d& n) {
-  return {HalfSpace{}, 0, {x, Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), n)}};
+  return {HalfSpace{}, 0, {x, shortest_turn(Vector3d::UnitZ(), n)}};
 }
 
 }  // namespace mb::testing

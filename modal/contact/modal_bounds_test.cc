@@ -1,4 +1,5 @@
 #include "modal/contact/modal_bounds.h"
+#include "mechanics/algebra/dense_eigen.h"
 
 #include <gtest/gtest.h>
 
@@ -50,11 +51,11 @@ Found largest(const Shape& shape, const Matrix3Xd& X, const PolynomialBasis& mod
     const Vector3d x = X.col(i);
     found.value = std::max(found.value, map.displacement(x).norm());
     const Eigen::Matrix3d G = map.gradient(x) - Eigen::Matrix3d::Identity();
-    found.gradient = std::max(found.gradient, G.jacobiSvd().singularValues()[0]);
+    found.gradient = std::max(found.gradient, spectral_norm(G));
     const Vector3d a = Vector3d(normal(random), normal(random), normal(random)).normalized();
     const double h = 1e-5 * half_box(shape).minCoeff();
     const Eigen::Matrix3d D = (map.gradient(x + h * a) - map.gradient(x - h * a)) / (2 * h);
-    found.bend = std::max(found.bend, D.jacobiSvd().singularValues()[0]);
+    found.bend = std::max(found.bend, spectral_norm(D));
   }
   return found;
 }

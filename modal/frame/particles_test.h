@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 
+#include "mechanics/geometry/pose.h"
 #include "modal/frame/spin.h"
 
 namespace mb {
@@ -23,8 +24,7 @@ struct Particles {
   Eigen::Matrix3d frame(const Matrix3Xd& x) const {
     const Vector3d c = x * mass / mass.sum();
     const Eigen::Matrix3d A = (x.colwise() - c) * mass.asDiagonal() * X.transpose();
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    return svd.matrixU() * svd.matrixV().transpose();
+    return nearest_rotation(A);
   }
   VectorXd coordinates(const Matrix3Xd& x) const {
     const Vector3d c = x * mass / mass.sum();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/system/static_response.h"
 
 namespace mb {
@@ -27,12 +28,6 @@ Eigen::Vector<double, 6> weights_of(const Vector3d& w) {
           -w.y() * w.z(),
           -w.z() * w.x(),
           -w.x() * w.y()};
-}
-
-double spectral_norm(const MatrixXd& A) {
-  if (A.size() == 0) return 0;
-  const MatrixXd gram = A.transpose() * A;
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<MatrixXd>(gram, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "mechanics/geometry/pose.h"
 #include "mechanics/system/system.h"
 
 namespace mb::fem {
@@ -130,9 +131,7 @@ std::vector<Turn> FiniteStrain::turns(const VectorXd& u) const {
   if (mass_by_X_.rows() == 0) return {};
   const VectorXd x = u + X_.reshaped()(kept_);
   const Matrix3d correlation = x.reshaped(3, x.size() / 3) * mass_by_X_;
-  const Eigen::JacobiSVD<Matrix3d> svd(correlation, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return {{0, u.size(), svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose()}};
+  return {{0, u.size(), nearest_rotation(correlation)}};
 }
 
 MatrixXd FiniteStrain::rigid_motions(const VectorXd& u) const {

@@ -2,6 +2,7 @@
 
 #include "cases/scene/one_body.h"
 #include "mechanics/algebra/cholesky.h"
+#include "mechanics/algebra/dense_eigen.h"
 #include "reference/fem/assembly.h"
 #include "reference/full_model.h"
 
@@ -49,7 +50,7 @@ TEST(LumpedMass, OfTrilinearCellsIsTheTrapezoidalRule) {
 // The lowest elastic frequency of a free box: quadrature to degree 2 p - 1 keeps the order 2 p of its error.
 TEST(LumpedMass, KeepsTheFrequencyToTheOrderOfTheElement) {
   const auto lowest = [](const MatrixXd& K, const MatrixXd& M) {
-    return std::sqrt(Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(K, M, Eigen::EigenvaluesOnly).eigenvalues()[6]);
+    return std::sqrt(generalized_eigenvalues(K, M).value()[6]);
   };
   const auto difference = [&](const Resolution& resolution) {
     const Scene scene = one_body(box, rubber, resolution);

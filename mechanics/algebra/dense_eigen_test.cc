@@ -1,0 +1,57 @@
+#include "mechanics/algebra/dense_eigen.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace mb {
+namespace {
+
+const MatrixXd K{{3, -1, 0}, {-1, 2, -1}, {0, -1, 1}};
+const MatrixXd M{{2, 0.5, 0}, {0.5, 1, 0.25}, {0, 0.25, 3}};
+
+TEST(DenseEigen, PairsSolveTheirProblem) {
+  const EigenPairs one = symmetric_eigen(K), two = generalized_eigen(K, M).value();
+  EXPECT_LT((K * one.vectors - one.vectors * one.values.asDiagonal()).norm(), 1e-14);
+  EXPECT_LT((K * two.vectors - M * two.vectors * two.values.asDiagonal()).norm(), 1e-14);
+  EXPECT_LT((two.vectors.transpose() * M * two.vectors - MatrixXd::Identity(3, 3)).norm(), 1e-14);
+  EXPECT_LT(two.values[0], two.values[1]);
+  EXPECT_LT(two.values[1], two.values[2]);
+  EXPECT_LT((symmetric_eigenvalues(K) - one.values).norm(), 1e-14);
+  EXPECT_LT((generalized_eigenvalues(K, M).value() - two.values).norm(), 1e-14);
+}
+
+TEST(DenseEigen, TakesTheLowerTriangle) {
+  MatrixXd lower = K;
+  lower(0, 2) = 7;
+  EXPECT_EQ(symmetric_eigenvalues(lower), symmetric_eigenvalues(K));
+  EXPECT_EQ(generalized_eigenvalues(lower, M).value(), generalized_eigenvalues(K, M).value());
+}
+
+TEST(DenseEigen, OfAQuarterTurnIsImaginary) {
+  const Eigen::VectorXcd mu = general_eigenvalues(MatrixXd{{0, -1}, {1, 0}});
+  EXPECT_NEAR(std::abs(mu[0] - std::conj(mu[1])), 0, 1e-15);
+  EXPECT_NEAR(std::abs(mu[0].imag()), 1, 1e-15);
+}
+
+TEST(DenseEigen, NormsAndSingularValuesAgree) {
+  const MatrixXd A{{3, 0, 4}, {0, 2, 0}};
+  EXPECT_LT((singular_values(A) - Eigen::Vector2d(5, 2)).norm(), 1e-14);
+  EXPECT_NEAR(spectral_norm(A), 5, 1e-14);
+  EXPECT_EQ(spectral_norm(MatrixXd(0, 4)), 0);
+}
+
+TEST(DenseEigen, NamesWhatHasNone) {
+  MatrixXd broken = K;
+  broken(1, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(symmetric_eigen(broken), std::runtime_error);
+  EXPECT_THROW(symmetric_eigenvalues(broken), std::runtime_error);
+  EXPECT_THROW(general_eigenvalues(broken), std::runtime_error);
+  EXPECT_FALSE(generalized_eigen(broken, M));
+  EXPECT_FALSE(generalized_eigen(K, broken));
+  EXPECT_FALSE(generalized_eigen(K, -M));
+  EXPECT_FALSE(generalized_eigenvalues(K, MatrixXd::Zero(3, 3)));
+}
+
+}  // namespace
+}  // namespace mb
