@@ -1,5 +1,5 @@
 # mb_library(NAME LINK... [PRIVATE_LINK ...] [HEADERS to precompile])  library mb_NAME of every source of the current folder that is no test.
-# mb_tests(NAME [LINK ...] [SHARED ...])        one GoogleTest binary of every *_test.cc of the current folder; suites of
+# mb_tests(NAME [LINK ...] [HEADERS to precompile] [SHARED ...])  one GoogleTest binary of every *_test.cc of the current folder; suites of
 #   label `cases` whose tests share what the first of them computes, SHARED, run as one test each.
 # mb_fuzz(NAME SOURCE... LINK ...)              one libFuzzer binary; the first source, X_fuzz.cc, names its seeds, X_fuzz/
 
@@ -51,8 +51,9 @@ if(MODALBENCH_CCACHE)   # the sloppiness is what it needs to cache with precompi
 endif()
 
 # Headers that nearly every source includes, parsed once a folder: half of the time to compile.
-set(MODALBENCH_COMMON_HEADERS <Eigen/Dense> <Eigen/Sparse> <fmt/format.h> <algorithm> <functional> <map> <memory>
-  <stdexcept> <string> <vector>)
+set(MODALBENCH_COMMON_HEADERS <Eigen/Dense> <Eigen/Sparse> <fmt/format.h> <algorithm> <cmath> <complex> <filesystem>
+  <functional> <map> <memory> <optional> <random> <ranges> <stdexcept> <string> <variant> <vector>)
+set(MODALBENCH_SCENE_HEADERS <cases/contract/model.h> <cases/scene/scene.h>)   # of folders above cases
 
 function(mb_library name)
   cmake_parse_arguments(ARG "" "" "LINK;PRIVATE_LINK;HEADERS" ${ARGN})
@@ -87,7 +88,7 @@ function(mb_tests name)
   if(NOT BUILD_TESTING)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "" "LINK;SHARED" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LINK;HEADERS;SHARED" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cc)
   if(NOT sources)
     return()
@@ -95,7 +96,8 @@ function(mb_tests name)
   add_executable(${name}_test ${sources})
   target_link_libraries(${name}_test PRIVATE mb_${name} mb_warnings ${ARG_LINK} GTest::gmock GTest::gtest_main)
   add_dependencies(unit_tests ${name}_test)
-  target_precompile_headers(${name}_test PRIVATE ${MODALBENCH_COMMON_HEADERS} <gmock/gmock.h> <gtest/gtest.h>)
+  target_precompile_headers(${name}_test PRIVATE ${MODALBENCH_COMMON_HEADERS} ${ARG_HEADERS} <gmock/gmock.h>
+    <gtest/gtest.h>)
   # What is tested is optimised; optimising the tests as well would double the time to build them.
   target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(${name}_test PRIVATE MB_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -83,6 +83,9 @@ void add_profile(CLI::App& command, std::string& profile) {
       ->capture_default_str();
 }
 
+// An unset variable of a shell is no folder: files would lie about in the current one.
+const CLI::Validator named([](const std::string& folder) { return folder.empty() ? "names no folder" : ""; }, "FOLDER");
+
 void add_check(CLI::App& app, const Catalogue& catalogue, Action& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "read case files and report every problem");
@@ -119,7 +122,7 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
   CLI::App* command = app.add_subcommand("run", "run cases, keep their results, check them");
   command->add_option("case", options->cases, "case names or files (default: all)");
   add_profile(*command, options->profile);
-  command->add_option("--store", options->store, "where results are kept")->capture_default_str();
+  command->add_option("--store", options->store, "where results are kept")->capture_default_str()->check(named);
   command
       ->add_option("--set", options->overrides,
                    "KEY=VALUE[,VALUE...] for modal.methods, modal.modes, modal.integrators, modal.time_steps, "
@@ -155,7 +158,7 @@ void add_report(CLI::App& app, const Catalogue& catalogue, Action& action) {
   CLI::App* command = app.add_subcommand("report", "write the report of what is stored");
   command->add_option("case", options->cases, "case names or files (default: those of the store, by name)");
   command->add_option("-o,--output", options->directory, "folder of the report")->capture_default_str();
-  command->add_option("--store", options->store, "where results are kept")->capture_default_str();
+  command->add_option("--store", options->store, "where results are kept")->capture_default_str()->check(named);
   command->add_flag("--open", options->open, "show the page, by xdg-open");
   command->add_flag("-q,--quiet", options->quiet, "nothing on stderr but what is wrong: not what is left out");
   command->callback(
@@ -185,7 +188,7 @@ void add_explain(CLI::App& app, const Catalogue& catalogue, Action& action) {
 void add_doctor(CLI::App& app, Action& action) {
   auto options = std::make_shared<DoctorOptions>();
   CLI::App* command = app.add_subcommand("doctor", "cores, threads, BLAS in use, clock noise");
-  command->add_option("--store", options->store, "whose disk is looked at")->capture_default_str();
+  command->add_option("--store", options->store, "whose disk is looked at")->capture_default_str()->check(named);
   command->add_flag("--json", options->json, "one JSON object");
   command->callback([&, options] { action = [options](const Console& c) { return doctor_command(*options, c); }; });
 }
@@ -196,7 +199,7 @@ void add_clean(CLI::App& app, const Catalogue& catalogue, Action& action) {
   command->add_option("case", options->cases, "files of cases that are not found by name");
   command->add_option("--older", options->older, "an age like 30d: what is older goes as well");
   command->add_flag("--yes", options->yes, "delete it");
-  command->add_option("--store", options->store, "where results are kept")->capture_default_str();
+  command->add_option("--store", options->store, "where results are kept")->capture_default_str()->check(named);
   command->callback(
       [&, options] { action = [&, options](const Console& c) { return clean_command(*options, catalogue, c); }; });
 }

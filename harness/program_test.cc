@@ -175,6 +175,10 @@ TEST(ProgramCases, UsageErrorsAreExitCodeTwo) {
   EXPECT_EQ(modalbench(scratch.path(), {"run", "no-such-case"}).code, 2);
   EXPECT_EQ(modalbench(scratch.path(), {"run", "missing.toml"}).code, 2);
   EXPECT_EQ(modalbench(scratch.path(), {"modes", "small.toml", "--count", "0"}).code, 2);
+  EXPECT_EQ(modalbench(scratch.path(), {"count", "small.toml"}).code, 2);  // has no contact
+  const Said nowhere = modalbench(scratch.path(), {"run", "small.toml", "--store", ""});
+  EXPECT_EQ(nowhere.code, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("names no folder"));
   const Said said = modalbench(scratch.path(), {"modes", "small.toml", "--body", "bdy"});
   EXPECT_EQ(said.code, 2);
   EXPECT_THAT(said.err, HasSubstr("did you mean 'body'"));

@@ -1,7 +1,11 @@
 #include "reports/publish.h"
 
+#include <signal.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <system_error>
@@ -12,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Within the report's folder: a rename across file systems would be a copy, which a full disk can cut short.
-constexpr const char* staging = ".unfinished-report";
+constexpr const char* staging = ".unfinished-report.";  // and the process that writes it: several may at once
 
 void make_folder(const fs::path& path) {
   std::error_code error;
@@ -55,6 +59,19 @@ class Aside {
   fs::path path_;
 };
 
+// What processes left behind that are no more.
+void remove_abandoned(const fs::path& directory) {
+  std::error_code error;
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(directory, error)) {
+    const std::string name = entry.path().filename();
+    if (!name.starts_with(staging)) continue;
+    const pid_t writer = std::atoi(name.c_str() + std::string(staging).size());
+    if (writer <= 0 || (kill(writer, 0) != 0 && errno == ESRCH)) left.push_back(entry.path());
+  }
+  for (const fs::path& path : left) fs::remove_all(path, error);
+}
+
 // The list may have been edited: nothing outside the report's own folders and kinds of file is ever removed for it.
 bool may_be_ours(const fs::path& path) {
   static const std::set<std::string> folders = {"", "data", "tables", "figures"};
@@ -92,7 +109,8 @@ ReportFile listed_files(const std::vector<ReportFile>& files) {
 std::vector<fs::path> publish(std::vector<ReportFile> files, const fs::path& directory) {
   files.push_back(listed_files(files));
   make_folder(directory);
-  const Aside aside(directory / staging);
+  remove_abandoned(directory);
+  const Aside aside(directory / (staging + std::to_string(getpid())));
   for (const ReportFile& file : files) write(aside.path() / file.path, file.text);
   std::set<fs::path> stale = files_of_report_in(directory);
   for (const ReportFile& file : files) make_folder((directory / file.path).parent_path());

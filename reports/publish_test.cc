@@ -72,7 +72,7 @@ TEST_F(Publish, AReportThatCannotBeWrittenLeavesTheOneBeforeAsItWas) {
 }
 
 TEST_F(Publish, WhatAnInterruptedReportLeftAsideGoes) {
-  put(".unfinished-report/data/half.csv", "half");
+  put(".unfinished-report.999999999/data/half.csv", "half");
   publish({{"report.md", "1"}}, directory_);
   EXPECT_THAT(files(), testing::ElementsAre("data/files.txt", "report.md"));
 }

@@ -12,7 +12,8 @@ namespace mb {
 namespace {
 
 constexpr double grows = 1 + 1e-6;  // rounding of eigenvalues, of which rigid modes are double: sqrt(eps)
-constexpr double widest = 0.02, narrowest = 1e-7;  // [-] windows that are looked for one by one
+constexpr double widest = 0.06, narrowest = 1e-7;  // [-] windows that are looked for one by one
+constexpr double scanned = 1.03;                   // [-] from step to step, which wider ones cannot escape
 
 CoupledModes coupled(const PressedModes& p) {
   return {MatrixXd(p.lambda.asDiagonal()) + p.kappa * p.g * p.g.transpose(), p.c.asDiagonal()};
@@ -69,7 +70,7 @@ double pressed_limit(const PressedModes& pressed, const std::string& scheme, dou
   const auto stable = [&](double h) { return pressed_radius(pressed, scheme, h) <= grows; };
   const bool kicks = scheme == "exact";
   const double first = 1e-4 * most;
-  std::vector<double> tried = apart_by(kicks ? 1.01 : 1.15, first, most);
+  std::vector<double> tried = apart_by(kicks ? scanned : 1.15, first, most);
   if (kicks) std::ranges::copy(resonances(pressed, most), std::back_inserter(tried));
   std::ranges::sort(tried);
   double low = first;

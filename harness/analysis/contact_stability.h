@@ -25,7 +25,7 @@ struct PressedModes {
 double pressed_radius(const PressedModes& pressed, const std::string& scheme, double h);
 
 // The least step [s] at which that is above 1 by more than 1e-6, to a thousandth of it; infinity: none up to `most` [s]
-// from 1e-4 of it on. Kicks are tried at steps 1 % apart and at resonances(), so that a window is missed only where it
+// from 1e-4 of it on. Kicks are tried at steps 3 % apart and at resonances(), so that a window is missed only where it
 // is narrower than that and first order in the layer puts it elsewhere; the others, which know no windows, 15 % apart.
 double pressed_limit(const PressedModes& pressed, const std::string& scheme, double most);
 

@@ -179,10 +179,10 @@ Cell cell(const VariedLayer& layer, const Integrator& scheme, double dt) {
   // What one contact multiplies amplitudes by, squared: energy.
   const double growth = 2 * layer.encounter.meeting.size.duration / dt * std::log(one.radius);
   const bool grows = growth > std::log(grown), seen = one.found == StepClass::unstable;
-  one.verdict = !grows && one.radius > 1 + 1e-6 ? "too short to be seen"
-                : grows == seen                 ? "as predicted"
-                : seen                          ? "unstable within the limit"
-                                                : "bounded beyond the limit";
+  one.verdict = seen && !grows                    ? "unstable within the limit"
+                : !grows && one.radius > 1 + 1e-6 ? "too short to be seen"
+                : grows == seen                   ? "as predicted"
+                                                  : "bounded beyond the limit";
   return one;
 }
 

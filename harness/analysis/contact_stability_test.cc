@@ -45,7 +45,7 @@ TEST(ContactStability, SmallStepsAreStableWhateverTheModes) {
 // kappa g^2/omega^2 of it. However narrow, it is the limit.
 TEST(ContactStability, KicksOfOneModeFeedItInANarrowWindowBelowHalfAPeriod) {
   const double omega = 40;
-  for (const double share : {3e-2, 1e-3, 1e-5}) {
+  for (const double share : {7e-2, 3e-2, 1e-3, 1e-5}) {
     const PressedModes one{VectorXd::Constant(1, omega * omega), VectorXd::Zero(1), VectorXd::Ones(1),
                            share * omega * omega};
     const double limit = pressed_limit(one, "exact", 8 * pi / omega) * omega / pi;
@@ -54,7 +54,7 @@ TEST(ContactStability, KicksOfOneModeFeedItInANarrowWindowBelowHalfAPeriod) {
     EXPECT_GT(pressed_radius(one, "exact", (1 - share / 2) * pi / omega), 1 + share) << share;
     EXPECT_LE(pressed_radius(one, "exact", (1 - 1.2 * share) * pi / omega), 1 + 1e-9) << share;
     EXPECT_LE(pressed_radius(one, "exact", (1 + 0.2 * share) * pi / omega), 1 + 1e-9) << share;
-    EXPECT_EQ(resonances(one, 8 * pi / omega).empty(), share > 0.02) << share;
+    EXPECT_EQ(resonances(one, 8 * pi / omega).empty(), share > 0.06) << share;
   }
 }
 

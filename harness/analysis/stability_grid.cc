@@ -86,7 +86,11 @@ StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, dou
 
 std::string verdict(const StepCell& cell) {
   if (std::isnan(cell.radius)) return "no prediction";
-  if (!cell.predicted) return "too slow to be seen";
+  if (!cell.predicted) {
+    const double growth = 2 * static_cast<double>(cell.n_steps) * std::log(cell.radius);
+    const bool explains = growth > std::log(energy_bound / 100);  // transients add less than a hundredfold
+    return cell.found == StepClass::unstable && !explains ? "not as predicted" : "too slow to be seen";
+  }
   const bool grows = cell.found == StepClass::unstable;
   return grows == (*cell.predicted == StepClass::unstable) ? "as predicted" : "not as predicted";
 }

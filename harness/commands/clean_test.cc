@@ -84,6 +84,15 @@ class CleanTest : public testing::Test {
   std::string current, asked_for, truth;
 };
 
+TEST_F(CleanTest, ResultsThatAKilledProcessWroteGoWhenTheyAreOld) {
+  written(folder / "results/results.jsonl.aB3xY9", "half");
+  EXPECT_THAT(clean({}).out, Not(HasSubstr("was killed")));  // maybe it is being written
+  age("results.jsonl.aB3xY9");
+  EXPECT_THAT(clean({}).out, HasSubstr("was killed"));
+  EXPECT_EQ(clean({.yes = true}).code, 0);
+  EXPECT_FALSE(holds("results.jsonl.aB3xY9"));
+}
+
 TEST_F(CleanTest, SaysWhatWouldGoAndDeletesNothing) {
   const test::Told said = clean({});
   EXPECT_EQ(said.code, 0);

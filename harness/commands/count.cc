@@ -1,5 +1,6 @@
 #include <fmt/ostream.h>
 
+#include "cases/scene/printable.h"
 #include "harness/analysis/instruction_contest.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
@@ -18,6 +19,8 @@ constexpr double at_most = 3600;  // [s]
 int count_command(const CountOptions& options, const Catalogue& catalogue, const Console& console) {
   const auto file = find_case(options.case_name);
   const auto scene = std::make_shared<const Scene>(read_toml(file, catalogue.vocabulary(), options.profile));
+  if (scene->contacts.empty() || scene->study.contact_steps.empty())
+    throw UsageError(printable(scene->name, 64) + " has no contact or no contact_steps: nothing to count");
   const std::vector<CountedContender> contenders = counted_contenders(*scene);
   for (const CountedContender& one : contenders)
     require_memory(memory(*scene, Contender{one.method, one.integrator, own_meshes(*scene), one.settings}),

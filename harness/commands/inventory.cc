@@ -144,6 +144,21 @@ void take(Inventory& all, const fs::path& path, const Shelf& shelf, const Survey
   all.files.push_back(file);
 }
 
+// "results.jsonl.XXXXXX"
+void take_unfinished_results(Inventory& all, const fs::path& store) {
+  constexpr std::string_view name = "results.jsonl.";
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(store, error)) {
+    const std::string found = entry.path().filename();
+    if (!fs::is_regular_file(entry.symlink_status()) || !found.starts_with(name) || found.size() != name.size() + 6)
+      continue;
+    StoredFile file{
+        entry.path(),         "results",         "", static_cast<double>(fs::file_size(entry.path(), error)),
+        age_of(entry.path()), State::unfinished, ""};
+    if (file.age > longest_write) all.files.push_back(file);
+  }
+}
+
 }  // namespace
 
 Inventory inventory(const fs::path& store, const std::vector<Scene>& scenes, const Catalogue& catalogue) {
@@ -160,6 +175,7 @@ Inventory inventory(const fs::path& store, const std::vector<Scene>& scenes, con
         ++all.n_strangers;
     }
   }
+  take_unfinished_results(all, store);
   std::sort(all.files.begin(), all.files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
   return all;
 }

@@ -13,7 +13,7 @@ namespace mb {
 
 struct StoredFile {
   std::filesystem::path path;
-  std::string shelf;  // "trajectories", "truth", "records", "timings", "findings"
+  std::string shelf;  // "trajectories", "truth", "records", "timings", "findings"; "results": results.jsonl
   std::string hash;
   double size;  // [byte]
   double age;   // [s] since it was written

@@ -58,15 +58,16 @@ Known scenes_in(const Store& store, const ReportOptions& options, const Catalogu
   return known;
 }
 
-void print_left_out(const StoredResults& stored, std::ostream& err) {
+void print_left_out(const StoredResults& stored, bool quiet, std::ostream& err) {
+  for (const RefusedLine& line : stored.refused)  // is wrong: said in any case
+    fmt::print(err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
+  if (quiet) return;
   if (stored.n_other > 0) fmt::print(err, "{} records of other settings or builds left out\n", stored.n_other);
   if (stored.n_other_tables > 0)
     fmt::print(err,
                "{} tables of analyses left out: of other settings, as `run --set` has them, or of other builds; `run` "
                "without --set makes those of the case as it is\n",
                stored.n_other_tables);
-  for (const RefusedLine& line : stored.refused)
-    fmt::print(err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
 }
 
 std::vector<std::string> quoted(const std::vector<std::string>& names) {
@@ -103,7 +104,7 @@ int report_command(const ReportOptions& options, const Catalogue& catalogue, con
   const Known known = scenes_in(store, options, catalogue, console.err);
   ReportInput input{{}, {}, known.scenes, {}, meanings()};
   StoredResults stored = current_records(store, input.scenes);
-  if (!options.quiet) print_left_out(stored, console.err);
+  print_left_out(stored, options.quiet, console.err);
   if (!known.stored.empty() && stored.records.empty() && stored.findings.empty())
     throw UsageError(nothing_to_report(known, options));
   input.records = std::move(stored.records);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/algebra/dense_eigen.h"
+
 namespace mb {
 
 namespace {
@@ -13,13 +15,12 @@ std::optional<LowRank> low_rank_of_tall(const MatrixXd& A, double tolerance) {
   const Eigen::HouseholderQR<MatrixXd> qr(A);
   const MatrixXd triangle = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
   if (!triangle.allFinite()) return std::nullopt;  // entries beyond 1e154 overflow in the norms
-  const Eigen::BDCSVD<MatrixXd> svd(triangle, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const VectorXd& sigma = svd.singularValues();
+  const auto [U, sigma, V] = thin_svd(triangle);
 
   const Index rank = std::max<Index>(1, (sigma.array() > tolerance * sigma(0)).count());
   if (rank * (m + n) >= m * n) return std::nullopt;
-  LowRank factors{MatrixXd::Zero(m, rank), svd.matrixV().leftCols(rank).transpose()};
-  factors.left.topRows(n) = svd.matrixU().leftCols(rank) * sigma.head(rank).asDiagonal();
+  LowRank factors{MatrixXd::Zero(m, rank), V.leftCols(rank).transpose()};
+  factors.left.topRows(n) = U.leftCols(rank) * sigma.head(rank).asDiagonal();
   factors.left.applyOnTheLeft(qr.householderQ());
   return factors;
 }

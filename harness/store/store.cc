@@ -69,19 +69,21 @@ bool Store::has_trajectory(const std::string& hash) const {
   return std::filesystem::exists(file("trajectories", hash, ".h5"), error);
 }
 Trajectory Store::read_trajectory(const std::string& hash) const {
-  return mb::read_trajectory(file("trajectories", hash, ".h5"));
+  return mb::read_trajectory(file("trajectories", hash, ".h5"), hash);
 }
 void Store::write_trajectory(const std::string& hash, const Trajectory& trajectory) const {
-  mb::write_trajectory(file("trajectories", hash, ".h5"), trajectory);
+  mb::write_trajectory(file("trajectories", hash, ".h5"), trajectory, hash);
 }
 
 bool Store::has_truth(const std::string& hash) const {
   std::error_code error;
   return std::filesystem::exists(file("truth", hash, ".h5"), error);
 }
-Trajectory Store::read_truth(const std::string& hash) const { return mb::read_trajectory(file("truth", hash, ".h5")); }
+Trajectory Store::read_truth(const std::string& hash) const {
+  return mb::read_trajectory(file("truth", hash, ".h5"), hash);
+}
 void Store::write_truth(const std::string& hash, const Trajectory& trajectory) const {
-  mb::write_trajectory(file("truth", hash, ".h5"), trajectory);
+  mb::write_trajectory(file("truth", hash, ".h5"), trajectory, hash);
 }
 
 bool Store::has_records(const std::string& hash) const {

@@ -13,6 +13,7 @@ namespace mb {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 const std::string low(32, '0'), high(32, 'f');
 
@@ -50,6 +51,19 @@ TEST(Store, TrajectoriesAndTruthsAreKeptApart) {
   EXPECT_NEAR(store.read_trajectory(low).bodies[0].displacement(0, 0), 1, 1e-12);
   EXPECT_NEAR(store.read_truth(low).bodies[0].displacement(0, 0), 2, 2e-12);
   EXPECT_THROW(store.read_trajectory(high), StoreError);
+}
+
+TEST(Store, AMotionUnderAnotherNameIsRefused) {
+  const ScratchFolder folder;
+  const Store store(folder / "results");
+  for (const char* shelf : {"truth", "trajectories"}) {
+    store.write_truth(low, trajectory(1));
+    store.write_trajectory(low, trajectory(1));
+    std::filesystem::copy(folder / ("results/" + std::string(shelf) + "/" + low + ".h5"),
+                          folder / ("results/" + std::string(shelf) + "/" + high + ".h5"));
+  }
+  EXPECT_THAT([&] { store.read_truth(high); }, ThrowsMessage<StoreError>(HasSubstr("another run")));
+  EXPECT_THAT([&] { store.read_trajectory(high); }, ThrowsMessage<StoreError>(HasSubstr("another run")));
 }
 
 TEST(Store, ResultsAreTheRecordsOfAllRunsSortedByRun) {

@@ -4,7 +4,8 @@
 //   (bodyK_displacement) or as amplitudes[n_t, rank] x shapes[rank, values], cut at 1e-12 of the largest singular value
 // and of bodies in contact their contact history (contact_content.h)
 //
-// Work counts and status are attributes of the root, and so is a checksum of all other content, compared on reading.
+// Work counts and status are attributes of the root, and so are the run whose answer it is, where it is stored under
+// one, and a checksum of all other content, both compared on reading.
 #pragma once
 
 #include <filesystem>
@@ -18,10 +19,11 @@ namespace mb {
 // Throws StoreError where the file cannot be written, and std::invalid_argument where a value is not finite, naming it
 // and its time, or where sizes do not agree: columns of displacement and strain are times (strain may have none). So it
 // does where times do not ascend and where there is more than is read again (trajectory_content.h).
-void write_trajectory(const std::filesystem::path& file, const Trajectory& trajectory);
+void write_trajectory(const std::filesystem::path& file, const Trajectory& trajectory, const std::string& run = "");
 
 // Throws StoreError naming file and fault: truncated, altered, another schema, values that are not finite or too many
-// (512 MiB at most), or anything else that write_trajectory does not write. The file may come from anywhere.
-Trajectory read_trajectory(const std::filesystem::path& file);
+// (512 MiB at most), another run than the one asked for, or anything else that write_trajectory does not write. The
+// file may come from anywhere.
+Trajectory read_trajectory(const std::filesystem::path& file, const std::string& run = "");
 
 }  // namespace mb

@@ -6,6 +6,8 @@
 #include "harness/store/scratch_folder_test.h"
 #include "harness/store/store.h"
 #include "harness/study/catalogue_test.h"
+#include "harness/study/identity.h"
+#include "harness/study/run_case.h"
 #include "harness/study/stored.h"
 
 namespace mb {
@@ -128,6 +130,42 @@ TEST(FailureCases, DamagedResultsAreNamedAndComputedAgain) {
   EXPECT_THAT(said.err, HasSubstr(all[4].hash + ".json:0: "));
   EXPECT_EQ(records_in(scratch).size(), n_records);
   EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml"}).err, HasSubstr("0 runs done, 5 found"));
+}
+
+// No results of their own: what a truth contains, and the motion that an answer left.
+TEST(FailureCases, WhatIsGoneBesideTheResultsIsMadeAgain) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", small_case());
+  ASSERT_EQ(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).code, 0);
+  const Scene scene = read_toml(scratch / "case.toml", default_catalogue().vocabulary());
+  const std::string finer = run_hash(scene, truth_contenders(scene).front()),
+                    motion = jobs(scene, default_catalogue()).front().hash;
+  const fs::path marks = scratch / ("results/records/" + finer + ".jsonl"),
+                 moved = scratch / ("results/trajectories/" + motion + ".h5");
+  const std::string before = text(marks);
+  fs::resize_file(marks, 100);
+  const Said said = modalbench(scratch.path(), {"run", "case.toml", "--untimed"});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("0 runs done, 4 found"));
+  EXPECT_EQ(text(marks).size(), before.size());
+  ASSERT_TRUE(fs::remove(moved));
+  EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).err, HasSubstr("1 runs done, 3 found"));
+  EXPECT_TRUE(fs::exists(moved));
+}
+
+// The marks are there, their times are asked for, and there is no room to take them.
+TEST(FailureCases, AShortageOfMemoryTakesNoMarksAway) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", small_case());
+  ASSERT_EQ(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).code, 0);
+  const auto scene = std::make_shared<const Scene>(read_toml(scratch / "case.toml", default_catalogue().vocabulary()));
+  const Store store(scratch / "results");
+  RunOptions options;
+  options.memory = 1e4;
+  const auto starved = run_case(scene, default_catalogue(), store, options, [](const std::string&) {});
+  EXPECT_EQ(starved.n_failed, 4);
+  for (const Record& r : store.read_all_records().records) EXPECT_EQ(r.status, "ok") << r.metric;
+  EXPECT_EQ(modalbench(scratch.path(), {"run", "case.toml"}).code, 0);
 }
 
 // Rivals that are the truths themselves: under one name stand their marks, their times and what the truth contains.

@@ -73,7 +73,7 @@ class CaseRun {
 
   CaseOutcome run() {
     const std::vector<Job> todo = not_stored();
-    if (todo.empty() && untimed_front().empty()) return outcome_;
+    if (todo.empty() && untimed_front().empty() && unmarked_truths().empty()) return outcome_;
     const std::optional<TruthSet> truth = truths_or_record();
     if (!truth) return outcome_;
     const Grader grader(*scene_, *truth, free_bodies(), provenance(scene_->profile));
@@ -147,13 +147,19 @@ class CaseRun {
   // The truth's own marks: what it contains, and how far the body's mesh is from it. A contender that is the truth
   // itself marks it, too.
   void mark_truths(const Grader& grader, const TruthSet& truth) const {
-    const auto contenders = truth_contenders(*scene_);
-    const Record finer = base(contenders[0]), same_mesh = base(contenders[1]);
-    const auto is_missing = [&](const Record& r) {
-      return std::ranges::find(all_, r.run, &Job::hash) == all_.end() && !holds_answers(r.run);
-    };
-    if (is_missing(finer)) store_.write_records(finer.run, grader.truth_marks(finer));
-    if (is_missing(same_mesh)) store_.write_records(same_mesh.run, grader.marks(same_mesh, truth.loose));
+    const std::string finer = base(truth_contenders(*scene_)[0]).run;
+    for (const Record& one : unmarked_truths())
+      store_.write_records(one.run, one.run == finer ? grader.truth_marks(one) : grader.marks(one, truth.loose));
+  }
+
+  // What stands for a truth that is no contender: finer, then on the same mesh.
+  std::vector<Record> unmarked_truths() const {
+    std::vector<Record> missing;
+    for (const Contender& contender : truth_contenders(*scene_))
+      if (const Record one = base(contender);
+          std::ranges::find(all_, one.run, &Job::hash) == all_.end() && !holds_answers(one.run))
+        missing.push_back(one);
+    return missing;
   }
 
   void compete(const Grader& grader, const Job& job, const std::string& count) {
@@ -180,7 +186,7 @@ class CaseRun {
       throw;  // a store that cannot be written is not the contender's failure
     } catch (const std::exception& error) {
       const std::string why = failure_text(error, memory(*scene_, job));
-      store_.write_records(record.run, grader.failure(record, "failed: " + why));
+      if (!holds_answers(record.run)) store_.write_records(record.run, grader.failure(record, "failed: " + why));
       ++outcome_.n_failed;
       progress_(fmt::format("{} {} · {} · failed: {}", count, scene_->name, job.label, one_line(why, most_told)));
     }

@@ -26,12 +26,20 @@ StoredJob stored_tables(const Job& job, const Store& store) {
   return found;
 }
 
+// What left an answer left its motion (run_case.cc).
+bool is_answer(const std::vector<Record>& marks) {
+  return !marks.empty() && std::ranges::all_of(marks, [](const Record& r) {
+    return r.status == "ok" || r.status.starts_with("undefined");
+  });
+}
+
 // Where a contender is the truth itself, what stands under its name may be what the truth contains and no mark of it.
 StoredJob stored_marks(const Job& job, const Store& store) {
   StoredJob found;
   if (!store.has_records(job.hash)) return found;
   RecordLines marks = store.read_records_of(job.hash);
-  found.has_result = marks.refused.empty() && !std::ranges::all_of(marks.records, is_of_truth);
+  found.has_result = marks.refused.empty() && !std::ranges::all_of(marks.records, is_of_truth) &&
+                     (!is_answer(marks.records) || store.has_trajectory(job.hash));
   found.failed = std::ranges::any_of(marks.records, [](const Record& r) { return is_failure(r); });
   found.damaged = std::move(marks.refused);
   found.has_times = std::ranges::none_of(marks.records, [](const Record& r) { return r.status == "ok"; });

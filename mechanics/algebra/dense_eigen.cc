@@ -56,7 +56,24 @@ std::optional<VectorXd> generalized_eigenvalues(const MatrixXd& K, const MatrixX
   return pairs ? std::optional(pairs->values) : std::nullopt;
 }
 
-VectorXd singular_values(const MatrixXd& A) { return Eigen::BDCSVD<MatrixXd>(A).singularValues(); }
+Svd thin_svd(const MatrixXd& A) {
+  const Eigen::BDCSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  if (svd.info() != Eigen::Success) throw std::runtime_error("the singular values have not converged");
+  return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
+}
+
+VectorXd singular_values(const MatrixXd& A) {
+  const Eigen::BDCSVD<MatrixXd> svd(A);
+  if (svd.info() != Eigen::Success) throw std::runtime_error("the singular values have not converged");
+  return svd.singularValues();
+}
+
+// A + i B has those of [A -B; B A], where each stands twice.
+VectorXd singular_values(const Eigen::MatrixXcd& A) {
+  MatrixXd real(2 * A.rows(), 2 * A.cols());
+  real << A.real(), -A.imag(), A.imag(), A.real();
+  return singular_values(real)(Eigen::seq(0, Eigen::last, 2));
+}
 
 double spectral_norm(const MatrixXd& A) {
   if (A.size() == 0) return 0;

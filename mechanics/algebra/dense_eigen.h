@@ -26,7 +26,14 @@ Eigen::VectorXcd general_eigenvalues(const MatrixXd& A);  // any square A; in no
 std::optional<EigenPairs> generalized_eigen(const MatrixXd& K, const MatrixXd& M);
 std::optional<VectorXd> generalized_eigenvalues(const MatrixXd& K, const MatrixXd& M);
 
-VectorXd singular_values(const MatrixXd& A);  // descending
-double spectral_norm(const MatrixXd& A);      // max |A x| / |x|, by A^T A: 0 of an empty matrix
+struct Svd {
+  MatrixXd U;      // m x k, k = min(m, n)
+  VectorXd sigma;  // k, descending
+  MatrixXd V;      // n x k
+};
+Svd thin_svd(const MatrixXd& A);
+VectorXd singular_values(const MatrixXd& A);          // descending
+VectorXd singular_values(const Eigen::MatrixXcd& A);  // descending
+double spectral_norm(const MatrixXd& A);              // max |A x| / |x|, by A^T A: 0 of an empty matrix
 
 }  // namespace mb

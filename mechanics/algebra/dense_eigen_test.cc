@@ -38,6 +38,15 @@ TEST(DenseEigen, NormsAndSingularValuesAgree) {
   const MatrixXd A{{3, 0, 4}, {0, 2, 0}};
   EXPECT_LT((singular_values(A) - Eigen::Vector2d(5, 2)).norm(), 1e-14);
   EXPECT_NEAR(spectral_norm(A), 5, 1e-14);
+  const Svd svd = thin_svd(A);
+  EXPECT_LT((svd.U * svd.sigma.asDiagonal() * svd.V.transpose() - A).norm(), 1e-14);
+  EXPECT_EQ(svd.V.cols(), 2);
+  const std::complex<double> i(0, 1);
+  const Eigen::MatrixXcd unitary{{0.6, 0.8 * i}, {0.8 * i, 0.6}};
+  EXPECT_LT(
+      (singular_values(Eigen::MatrixXcd(unitary * Eigen::Vector2cd(3, 2.0 * i).asDiagonal())) - Eigen::Vector2d(3, 2))
+          .norm(),
+      1e-14);
   EXPECT_EQ(spectral_norm(MatrixXd(0, 4)), 0);
 }
 
@@ -47,6 +56,8 @@ TEST(DenseEigen, NamesWhatHasNone) {
   EXPECT_THROW(symmetric_eigen(broken), std::runtime_error);
   EXPECT_THROW(symmetric_eigenvalues(broken), std::runtime_error);
   EXPECT_THROW(general_eigenvalues(broken), std::runtime_error);
+  EXPECT_THROW(thin_svd(broken), std::runtime_error);
+  EXPECT_THROW(singular_values(broken), std::runtime_error);
   EXPECT_FALSE(generalized_eigen(broken, M));
   EXPECT_FALSE(generalized_eigen(K, broken));
   EXPECT_FALSE(generalized_eigen(K, -M));

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/system/exp_difference.h"
 
 namespace mb {
@@ -69,7 +70,7 @@ ComplexModes complex_modes(const VectorXd& omega, const MatrixXd& C) {
   if (const double growth = modes.mu.real().maxCoeff(); growth > driven * modes.mu.cwiseAbs().maxCoeff())
     throw std::runtime_error(
         fmt::format("complex modes: one grows by {:.3g} 1/s, C drives instead of damping", growth));
-  const VectorXd s = Eigen::BDCSVD<MatrixXcd>(modes.X).singularValues();
+  const VectorXd s = singular_values(modes.X);
   modes.condition = s[0] / s[2 * n - 1];
   if (!(modes.condition <= critical))
     throw std::runtime_error(fmt::format(

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/algebra/worse_test.h"
 #include "mechanics/verified_test.h"
 #include "modal/bases/verification_test.h"
@@ -114,9 +115,9 @@ System held_along_z(const FullModel& model, const Matrix3Xd& points) {
   System system;
   system.M = T.transpose() * free.M * T;
   system.K = T.transpose() * free.K * T;
-  const Eigen::JacobiSVD<MatrixXd> moved(free.R(removed, Eigen::all), Eigen::ComputeFullV);
-  const Index n_rigid = (moved.singularValues().array() < 1e-10 * moved.singularValues()(0)).count();
-  const MatrixXd R = free.R(kept, Eigen::all) * moved.matrixV().rightCols(n_rigid);
+  const auto [U, sigma, V] = thin_svd(free.R(removed, Eigen::all));
+  const Index n_rigid = (sigma.array() < 1e-10 * sigma(0)).count();
+  const MatrixXd R = free.R(kept, Eigen::all) * V.rightCols(n_rigid);
   const Eigen::LLT<MatrixXd> gram(R.transpose() * (system.M * R));
   system.R = gram.matrixU().solve<Eigen::OnTheRight>(R);
   return system;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/algebra/dense_eigen.h"
 #include "reference/fem/assembly.h"
 
 namespace mb::fem {
@@ -107,11 +108,13 @@ MatrixXd admitted(const Supports& supports, const MatrixXd& fields) {
   for (Index i = 0; i < free.rows(); ++i) free.row(i) = fields.row(supports.kept[static_cast<size_t>(i)]);
   // fields c = T free c. Thin SVD through the k x k triangle.
   const MatrixXd violation = fields - supports.T * free;
+  const double held = 1e-10 * fields.norm();
+  if (violation.norm() <= held) return free;  // in the order of the fields
   const MatrixXd triangle = violation.householderQr().matrixQR().topRows(k).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<MatrixXd> svd(triangle, Eigen::ComputeFullV);
+  const auto [U, sigma, V] = thin_svd(triangle);
   Index m = 0;
-  while (m < k && svd.singularValues()[k - 1 - m] <= 1e-10 * fields.norm()) ++m;
-  return free * svd.matrixV().rightCols(m);
+  while (m < k && sigma[k - 1 - m] <= held) ++m;
+  return free * V.rightCols(m);
 }
 
 // Values at the nodes of orthonormal combinations of x^i y^j z^k, i + j + k <= degree, about the centre: n_nodes x m.
