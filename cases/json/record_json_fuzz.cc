@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cases/json/finding_json.h"
+#include "cases/json/json.h"
 #include "cases/json/record_json.h"
 #include "cases/scene/printable.h"
 
