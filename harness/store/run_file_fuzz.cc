@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cases/json/finding_json.h"
+#include "cases/json/json.h"
 #include "harness/store/run_file.h"
 #include "harness/store/seal.h"
 
