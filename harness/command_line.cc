@@ -41,14 +41,17 @@ void on_interrupt(int) {
   [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, text, sizeof text - 1);
 }
 
-// Ends a run in good order on Ctrl-C, on SIGTERM and where its terminal is closed, but for what nohup began.
+// Ends a run in good order on Ctrl-C, on SIGTERM and where its terminal is closed. What was ignored before stays so: as
+// nohup has it of the last, and a shell's `&` of the first.
 class Interruptible {
  public:
   Interruptible() {
     interrupt_requested = 0;
     own_process = getpid();
-    for (size_t i = 0; i < signals.size(); ++i) before_[i] = std::signal(signals[i], on_interrupt);
-    if (before_.back() == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+    for (size_t i = 0; i < signals.size(); ++i) {
+      before_[i] = std::signal(signals[i], on_interrupt);
+      if (before_[i] == SIG_IGN) std::signal(signals[i], SIG_IGN);
+    }
   }
   ~Interruptible() {
     for (size_t i = 0; i < signals.size(); ++i) std::signal(signals[i], before_[i]);

@@ -64,6 +64,29 @@ TEST(FaultCases, TwoRunsAtOnceDoNotHarmTheirStore) {
   expect_same_results(scratch / "alone", scratch / "results");
 }
 
+TEST(FaultCases, ReportsAtOnceLeaveAWholeOne) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", analysed_case());
+  ASSERT_EQ(Process(scratch.path(), run).code(), 0);
+  const std::vector<std::string> report{"report", "-o", "report", "case.toml"};
+  Process alone(scratch.path(), {"report", "-o", "alone", "case.toml"});
+  ASSERT_EQ(alone.code(), 0) << alone.err();
+  {
+    Process one(scratch.path(), report), other(scratch.path(), report), third(scratch.path(), report);
+    for (Process* each : {&one, &other, &third}) EXPECT_EQ(each->code(), 0) << each->err();
+  }
+  const auto files = [&](const char* folder) {
+    std::vector<std::string> all;
+    for (const auto& entry : fs::directory_iterator(scratch / folder)) all.push_back(entry.path().filename());
+    std::ranges::sort(all);
+    return all;
+  };
+  EXPECT_EQ(files("report"), files("alone"));
+  EXPECT_EQ(text(scratch / "report/verification.md"), text(scratch / "alone/verification.md"));
+  for (const auto& entry : fs::directory_iterator(scratch.path()))
+    EXPECT_FALSE(entry.path().filename().string().starts_with(".unfinished")) << entry.path();
+}
+
 // 85^3 cubes of degree 1: two million degrees of freedom, whose factor takes a terabyte.
 std::string large_case(const std::string& cells = "[85, 85, 85]") {
   std::string large = small_case();

@@ -56,6 +56,7 @@ Process::Process(const std::filesystem::path& folder, const std::vector<std::str
   if (process_ > 0) return;
   become(STDOUT_FILENO, out_.c_str());
   become(STDERR_FILENO, err_.c_str());
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   if (::chdir(folder.c_str()) != 0) ::_exit(126);
   if (prepare) prepare();
   ::execv(MB_PROGRAM, argv.data());

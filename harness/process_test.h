@@ -13,8 +13,8 @@ namespace mb {
 
 class Process {
  public:
-  // Starts the program with these words in `folder`; its output goes to files below `folder`. prepare is called in the
-  // new process before the program begins: limits, another user.
+  // Starts the program with these words in `folder`; its output goes to files below `folder`. It ignores no
+  // signal, whatever this process does. prepare is called in it before the program begins: limits, another user.
   Process(const std::filesystem::path& folder, const std::vector<std::string>& words,
           const std::function<void()>& prepare = {});
   ~Process();  // kills it where it still runs

@@ -37,7 +37,7 @@ TEST(SignalCases, WhatEndsTheFirstProcessEndsAllCleanly) {
     for (const char* jobs : {"1", "2"}) {
       const ScratchFolder scratch;
       written(scratch / "case.toml", with_rivals(1, "[1, 2]", steps));
-      Process process(scratch.path(), run_with({"--jobs", jobs}), [] { std::signal(SIGHUP, SIG_DFL); });
+      Process process(scratch.path(), run_with({"--jobs", jobs}));
       while (!process.ends_within(0.005) && process.err().find("[2/") == std::string::npos) continue;
       const std::vector<pid_t> children = process.children();
       process.send(signal);
@@ -49,6 +49,19 @@ TEST(SignalCases, WhatEndsTheFirstProcessEndsAllCleanly) {
       for (const pid_t child : children) EXPECT_FALSE(is_running(child));
       expect_sound(scratch / "results");
     }
+}
+
+// As nohup and a shell's `&` begin it.
+TEST(SignalCases, WhatIsIgnoredFromTheStartStaysIgnored) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", analysed_case());
+  Process process(scratch.path(), run, [] {
+    for (const int signal : {SIGINT, SIGHUP}) std::signal(signal, SIG_IGN);
+  });
+  while (!process.ends_within(0.005) && process.err().find("truth Q") == std::string::npos) continue;
+  ASSERT_FALSE(process.ends_within(0)) << "ended before the signals";
+  for (const int signal : {SIGINT, SIGHUP}) process.send(signal);
+  EXPECT_EQ(process.code(), 0) << process.err();
 }
 
 // Runs of a minute each: none goes on by itself once the process that began them was killed.

@@ -87,6 +87,7 @@ Json verdict_json(const Verdict& verdict) {
                {"hold", verdict.n_hold},
                {"not_decidable", verdict.n_not_decidable},
                {"not_measured", verdict.n_not_measured},
+               {"timed", verdict.is_timed},
                {"at_target", verdict.at_target.size()},
                {"compared", verdict.n_compared},
                {"failed_runs", verdict.n_failed_runs},

@@ -181,5 +181,15 @@ TEST(Rivals, AreNamedByTheirMethodWhereTheyStepInAnotherBasis) {
   EXPECT_EQ(label(input), "Q2 1x2, step 0.01 s");
 }
 
+TEST(Verdict, OfRunsWithoutTimesClaimsNoSpeedUp) {
+  ReportInput input = synthetic::input();
+  EXPECT_TRUE(verdict_of(evaluate(input)).is_timed);
+  std::erase_if(input.records, [](const Record& record) { return record.metric == "online-time"; });
+  const Verdict verdict = verdict_of(evaluate(input));
+  EXPECT_FALSE(verdict.is_timed);
+  EXPECT_THAT(verdict.sentences, testing::Contains("No run was timed: there are no speed-ups."));
+  EXPECT_THAT(verdict.sentences, testing::Not(testing::Contains(testing::HasSubstr("peed-up at"))));
+}
+
 }  // namespace
 }  // namespace mb

@@ -139,17 +139,25 @@ std::string failure_sentence(const std::vector<Failure>& failures, int n_failed_
 }
 
 int count_runs(const Evaluation& evaluation, bool (*is_counted)(const Record&)) {
-  using Case = std::pair<std::string, std::string>;  // name, profile
-  std::vector<std::pair<Case, Contender>> counted;
+  std::vector<std::pair<std::pair<std::string, std::string>, Contender>> counted;  // (name, profile), contender
   for (const Record& record : evaluation.input.records) {
     if (!is_counted(record)) continue;
-    const Case of{record.case_name, record.profile};
+    const std::pair of{record.case_name, record.profile};
     const bool known = std::any_of(counted.begin(), counted.end(), [&](const auto& one) {
       return one.first == of && same_contender(one.second, record.contender);
     });
     if (!known) counted.push_back({of, record.contender});
   }
   return static_cast<int>(counted.size());
+}
+
+void add_speed_ups(const Evaluation& evaluation, Verdict& verdict) {
+  if (!verdict.is_timed) return verdict.sentences.push_back("No run was timed: there are no speed-ups.");
+  verdict.sentences.push_back(speed_up_sentence(evaluation, verdict));
+  verdict.sentences.push_back(looser_sentence(evaluation));
+  const std::string limits = limits_sentence(evaluation, verdict);
+  if (!limits.empty()) verdict.sentences.push_back(limits);
+  verdict.sentences.push_back(other_norms_sentence(evaluation));
 }
 
 bool is_failed(const Record& record) { return !is_usable(record) && !is_undefined(record) && !is_unstable(record); }
@@ -241,6 +249,8 @@ std::vector<std::pair<std::string, SpeedUp>> headline_pairs(const Evaluation& ev
 
 Verdict verdict_of(const Evaluation& evaluation) {
   Verdict verdict;
+  verdict.is_timed =
+      std::ranges::any_of(evaluation.runs, [](const Run& run) { return run.online && is_usable(*run.online); });
   count_checks(evaluation, verdict);
   if (evaluation.input.records.empty()) {
     verdict.sentences.push_back(
@@ -254,11 +264,7 @@ Verdict verdict_of(const Evaluation& evaluation) {
   verdict.n_perturbed = std::ranges::count_if(verdict.at_target, has_perturbed_time);
   verdict.n_at_edge = std::ranges::count_if(verdict.at_target, stands_at_edge);
   if (!evaluation.input.records.empty()) {
-    verdict.sentences.push_back(speed_up_sentence(evaluation, verdict));
-    verdict.sentences.push_back(looser_sentence(evaluation));
-    const std::string limits = limits_sentence(evaluation, verdict);
-    if (!limits.empty()) verdict.sentences.push_back(limits);
-    verdict.sentences.push_back(other_norms_sentence(evaluation));
+    add_speed_ups(evaluation, verdict);
     verdict.n_failed_runs = count_runs(evaluation, is_failed);
     verdict.n_unstable_runs = count_runs(evaluation, is_unstable);
     verdict.sentences.push_back(failure_sentence(failures_of(evaluation), verdict.n_failed_runs));

@@ -12,6 +12,7 @@ namespace mb {
 struct Verdict {
   int n_cases = 0, n_cases_within = 0;  // within: every check of the case holds
   int n_checks = 0, n_hold = 0, n_not_decidable = 0, n_not_measured = 0;
+  bool is_timed = false;                // whether any run was: without times there is no speed-up to speak of
   std::vector<SpeedUp> at_target;       // a case: its cheapest reduced run within the error target, see speed_ups_at
   long n_compared = 0;                  // of at_target, those that have a rival
   std::optional<double> median;         // [-] speed-up over those that have a rival

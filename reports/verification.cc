@@ -45,17 +45,19 @@ std::string checked(const Check& check) {
 }
 
 Sheet verification_table(const Evaluation& evaluation) {
-  Sheet table{.name = "verification",
-              .title = "Verification",
-              .note =
-                  "Every check of every case: what it is held to, how uncertain that is, the tolerance and why it "
-                  "is that, and what came out. Uncertainty: in the unit of the result; of truths in full order the "
-                  "distance between two meshes and between two tolerances, which is not less than Richardson's "
-                  "estimate where the order is at least one and cells are halved; of closed forms that of their "
-                  "series. A check holds only where every value within it is inside the tolerance.",
-              .columns = {},
-              .rows = {},
-              .n_keys = 0};
+  Sheet table{
+      .name = "verification",
+      .title = "Verification",
+      .note =
+          "Every check of the cases that were run: what it is held to, how uncertain that is, the tolerance and why it "
+          "is that, and what came out. Uncertainty: in the unit of the result; of truths in full order the "
+          "distance between two meshes and between two tolerances, which is not less than Richardson's "
+          "estimate where r^p is at least 2, r the ratio of the meshes and p the order: an order of 1 where "
+          "cells are halved, of 1.7 where there are half as many again; of closed forms that of their "
+          "series. A check holds only where every value within it is inside the tolerance.",
+      .columns = {},
+      .rows = {},
+      .n_keys = 0};
   table.columns = {{"case", ""},   {"profile", ""},     {"what", ""},      {"unit", ""}, {"reference", ""},
                    {"kind", ""},   {"uncertainty", ""}, {"tolerance", ""}, {"why", ""},  {"result", "", Kind::number},
                    {"verdict", ""}};

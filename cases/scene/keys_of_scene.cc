@@ -159,7 +159,7 @@ const std::vector<KeyGroup>& scene_keys() {
         {"history.omega0", "a number", "[0, 1e9]", "rad/s", "required for chirp", "angular frequency at the start", ""},
         {"history.omega1", "a number", "[0, 1e9]", "rad/s", "required for chirp", "angular frequency at the end", ""},
         {"history.t", "an array of 2 to 10000 numbers", "[0, 100000]", "s", "required for table, or `file`",
-         "strictly ascending", ""},
+         "ascending by 1e-12 of the longest duration at least", ""},
         {"history.s", "an array of 2 to 10000 numbers", "[-1000000, 1000000]", "", "required for table, or `file`",
          "as many as t; linear between, zero outside; [m/s^2] of an acceleration", ""},
         {"history.file", "a text of at most 255 bytes", "", "", "none",

@@ -55,53 +55,80 @@ std::optional<History> read_shaped(Section& section, const Common& common) {
   return Shaped{*duration, common.amplitude, common.start};
 }
 
-std::optional<Table> inline_table(Section& section, const HistoryContext& context) {
+// A table and how its entries are called. What a file holds is never told, not even its times.
+struct NamedTable {
+  TableFile read;
+  std::string key;   // at which its problems are reported
+  std::string file;  // empty: stated in the case itself
+
+  std::string entry(std::size_t i) const {
+    return file.empty() ? fmt::format("entry {}", i + 1)
+                        : fmt::format("line {} of '{}'", read.lines[i], printable(file, 255));
+  }
+};
+
+std::optional<NamedTable> inline_table(Section& section, const HistoryContext& context) {
   const auto t = section.numbers("t", time_range, {2, most_entries});
   const auto s = section.numbers("s", amplitude_range(context), {2, most_entries});
   if (!t || !s) return std::nullopt;
-  if (t->size() == s->size()) return Table{*t, *s};
+  if (t->size() == s->size()) return NamedTable{{{*t, *s}, {}, ""}, "t", ""};
   section.error("s", fmt::format("'s' has {} entries where 't' has {}", s->size(), t->size()));
   return std::nullopt;
 }
 
-std::optional<Table> table_of_file(Section& section, const HistoryContext& context) {
+std::optional<NamedTable> table_of_file(Section& section, const HistoryContext& context) {
   const auto file = section.text("file", 255);
   for (const char* key : {"t", "s"}) {
     if (section.has(key))
       section.error(key, fmt::format("a table has either 'file' or 't' and 's', not '{}' as well", key));
   }
   if (!file) return std::nullopt;
-  auto read = read_table_file(context.folder, *file, most_entries);
-  if (read.problem.empty()) return read.table;
-  section.error("file", read.problem);
+  NamedTable named{read_table_file(context.folder, *file, most_entries), "file", *file};
+  if (named.read.problem.empty()) return named;
+  section.error("file", named.read.problem);
   return std::nullopt;
 }
 
-// What a file holds is never told, not even its times.
+bool ascends(const NamedTable& named, Section& section, const HistoryContext& context) {
+  // Entries nearer than this are a jump to every integrator, and to adaptive ones a step they cannot make.
+  const double apart = 1e-12 * context.longest_duration;
+  const std::vector<double>& t = named.read.table.t;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    if (t[i] >= t[i - 1] + apart) continue;
+    const bool later = t[i] > t[i - 1];
+    const std::string found =
+        named.file.empty()
+            ? fmt::format("t = {} s at entry {} follows {} s", t[i], i + 1, t[i - 1])
+            : named.entry(i) + (later ? " follows the entry before by less" : " does not follow the entry before");
+    section.error(named.key, later ? fmt::format("times must be 1e-12 of the duration apart, {} s: {}", apart, found)
+                                   : "times must ascend: " + found);
+    return false;
+  }
+  return true;
+}
+
+bool within_ranges(const NamedTable& named, Section& section, const HistoryContext& context) {
+  const auto& [t, s] = named.read.table;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (time_range.contains(t[i]) && amplitude_range(context).contains(s[i])) continue;
+    section.error(named.key, fmt::format("{} leaves t in {} or s in {}", named.entry(i), to_string(time_range),
+                                         to_string(amplitude_range(context))));
+    return false;
+  }
+  return true;
+}
+
 std::optional<History> read_table(Section& section, const HistoryContext& context) {
-  const bool from_file = section.has("file");
-  const auto table = from_file ? table_of_file(section, context) : inline_table(section, context);
-  if (!table) return std::nullopt;
-  const std::string key = from_file ? "file" : "t";
-  for (std::size_t i = 1; i < table->t.size(); ++i) {
-    if (table->t[i] > table->t[i - 1]) continue;
-    section.error(key, from_file ? fmt::format("times must ascend: entry {} does not follow the one before", i + 1)
-                                 : fmt::format("times must ascend: t = {} s at entry {} follows {} s", table->t[i],
-                                               i + 1, table->t[i - 1]));
-    return std::nullopt;
-  }
-  const auto outside = [](double x, const Range& range) { return !range.contains(x); };
-  if (std::any_of(table->t.begin(), table->t.end(), [&](double t) { return outside(t, time_range); }) ||
-      std::any_of(table->s.begin(), table->s.end(), [&](double s) { return outside(s, amplitude_range(context)); })) {
-    section.error(key, fmt::format("the table leaves t in {}, s in {}", to_string(time_range),
-                                   to_string(amplitude_range(context))));
-    return std::nullopt;
-  }
-  if (table->t.front() < context.longest_duration) return *table;
-  section.error(key, from_file
-                         ? fmt::format("the load starts after the case has ended, at {} s", context.longest_duration)
-                         : fmt::format("the load starts at {} s, but the case ends at {} s", table->t.front(),
-                                       context.longest_duration));
+  const auto named = section.has("file") ? table_of_file(section, context) : inline_table(section, context);
+  if (!named) return std::nullopt;
+  const bool in_order = ascends(*named, section, context), in_range = within_ranges(*named, section, context);
+  if (!in_order || !in_range) return std::nullopt;
+  const Table& table = named->read.table;
+  if (table.t.front() < context.longest_duration) return table;
+  section.error(named->key, named->file.empty() ? fmt::format("the load starts at {} s, but the case ends at {} s",
+                                                              table.t.front(), context.longest_duration)
+                                                : fmt::format("the load starts after the case has ended, at {} s",
+                                                              context.longest_duration));
   return std::nullopt;
 }
 

@@ -68,16 +68,17 @@ FileText read_text_file(const fs::path& file, std::size_t most) {
 
 TableFile read_table_file(const fs::path& folder, const std::string& path, std::size_t most_entries) {
   const std::string shown = printable(path, 255);
-  if (shown != path) return {{}, fmt::format("'{}' holds characters that do not print", shown)};
+  if (shown != path) return {{}, {}, fmt::format("'{}' holds characters that do not print", shown)};
   const auto file = below(folder, path);
-  if (!file) return {{}, fmt::format("'{}' does not lie below the case's folder", shown)};
+  if (!file) return {{}, {}, fmt::format("'{}' does not lie below the case's folder", shown)};
   const FileText content = read_text_file(*file, most_bytes);
-  if (!content.problem.empty()) return {{}, fmt::format("'{}': {}", shown, content.problem)};
+  if (!content.problem.empty()) return {{}, {}, fmt::format("'{}': {}", shown, content.problem)};
   return table_of_text(content.text, shown, most_entries);
 }
 
 TableFile table_of_text(std::string_view rest, const std::string& shown, std::size_t most_entries) {
   Table table;
+  std::vector<int> lines;
   int n_lines = 0;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -88,13 +89,15 @@ TableFile table_of_text(std::string_view rest, const std::string& shown, std::si
     const std::size_t comma = std::min(line.find(','), line.size());
     const auto t = number(line.substr(0, comma));
     const auto s = number(line.substr(std::min(comma + 1, line.size())));
-    if (!t || !s) return {{}, fmt::format("line {} of '{}' is not 't, s', two numbers", n_lines, shown)};
+    if (!t || !s) return {{}, {}, fmt::format("line {} of '{}' is not 't, s', two numbers", n_lines, shown)};
     table.t.push_back(*t);
     table.s.push_back(*s);
-    if (table.t.size() > most_entries) return {{}, fmt::format("'{}' has more than {} entries", shown, most_entries)};
+    lines.push_back(n_lines);
+    if (table.t.size() > most_entries)
+      return {{}, {}, fmt::format("'{}' has more than {} entries", shown, most_entries)};
   }
-  if (table.t.size() < 2) return {{}, fmt::format("'{}' has {} entries: at least 2", shown, table.t.size())};
-  return {std::move(table), ""};
+  if (table.t.size() < 2) return {{}, {}, fmt::format("'{}' has {} entries: at least 2", shown, table.t.size())};
+  return {std::move(table), std::move(lines), ""};
 }
 
 }  // namespace mb

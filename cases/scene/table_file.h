@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mechanics/history/history.h"
 
@@ -14,7 +15,8 @@ namespace mb {
 
 struct TableFile {
   Table table;
-  std::string problem;  // empty: the table was read
+  std::vector<int> lines;  // of the file, from 1, of each entry
+  std::string problem;     // empty: the table was read
 };
 TableFile read_table_file(const std::filesystem::path& folder, const std::string& path, std::size_t most_entries);
 // The same of text at hand; shown: the name that messages show.

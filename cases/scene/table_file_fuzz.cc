@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -37,9 +38,11 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto [table, problem] = table_of_text({reinterpret_cast<const char*>(data), size}, "FILE", most);
+  const auto [table, lines, problem] = table_of_text({reinterpret_cast<const char*>(data), size}, "FILE", most);
   if (!problem.empty()) return require_sentence(problem), 0;
   require(table.t.size() == table.s.size() && table.t.size() >= 2 && table.t.size() <= most, "a table of another size");
+  require(lines.size() == table.t.size() && std::ranges::adjacent_find(lines, std::greater_equal{}) == lines.end(),
+          "entries on lines that do not ascend");
   std::string text;
   for (std::size_t i = 0; i < table.t.size(); ++i) {
     if (!std::isfinite(table.t[i]) || !std::isfinite(table.s[i])) return 0;  // whose range the history checks

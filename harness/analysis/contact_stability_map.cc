@@ -13,6 +13,7 @@
 #include "harness/analysis/contact_tables.h"
 #include "harness/analysis/contact_variants.h"
 #include "harness/analysis/first_impact.h"
+#include "harness/analysis/power_law.h"
 #include "harness/analysis/stability_grid.h"
 #include "mechanics/geometry/shape.h"
 
@@ -53,16 +54,22 @@ Finding map_table() {
 }
 
 Finding summary_table() {
-  return table("contact-stability", "contact-stability-summary", "Whether steps in contact do what one of them says",
-               "Cells of the map by what was found.",
-               {{"integrator", ""},
-                {"cells", ""},
-                {"stable", ""},
-                {"inaccurate", ""},
-                {"unstable", ""},
-                {"unstable within the limit", ""},
-                {"bounded beyond the limit", ""},
-                {"too short to be seen", ""}});
+  return table(
+      "contact-stability", "contact-stability-summary", "Whether steps in contact do what one of them says",
+      "Cells of the map by what was found. Error at the least step: the larger of peak force's and impulse's, of "
+      "whichever layer has the largest; order: exponent of the same of the scene's own layer over the steps, "
+      "where it lies between 1e-9 and a tenth.",
+      {{"integrator", ""},
+       {"cells", ""},
+       {"stable", ""},
+       {"inaccurate", ""},
+       {"unstable", ""},
+       {"unstable within the limit", ""},
+       {"bounded beyond the limit", ""},
+       {"too short to be seen", ""},
+       {"error at the least step", "-"},
+       {"order", "-"},
+       {"standard error", "-"}});
 }
 
 // The touch as seen in the world.
@@ -140,6 +147,12 @@ struct Cell {
   std::string verdict;
 };
 
+// Infinite where there is none.
+double error(const Cell& one) {
+  const double largest = std::max(one.of_peak, one.of_impulse);
+  return std::isfinite(one.of_peak + one.of_impulse) ? largest : std::numeric_limits<double>::infinity();
+}
+
 // 1 and what is gained from the first sample to the last, over the kinetic energy of the approach.
 double gained_energy(const Trajectory& run, const VariedLayer& layer) {
   double gain = 0;
@@ -173,8 +186,7 @@ Cell cell(const VariedLayer& layer, const Integrator& scheme, double dt) {
     const FirstImpact now = first_impact(*run, *run);
     one.of_peak = std::abs(now.peak / layer.reference.peak - 1);
     one.of_impulse = std::abs(now.impulse / layer.reference.impulse - 1);
-    if (one.energy <= grown)
-      one.found = std::max(one.of_peak, one.of_impulse) <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
+    if (one.energy <= grown) one.found = error(one) <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
   }
   // What one contact multiplies amplitudes by, squared: energy.
   const double growth = 2 * layer.encounter.meeting.size.duration / dt * std::log(one.radius);
@@ -188,11 +200,35 @@ Cell cell(const VariedLayer& layer, const Integrator& scheme, double dt) {
 
 struct Summary {
   double stable = 0, inaccurate = 0, unstable = 0, within = 0, beyond = 0, brief = 0;
+  double last_error = 0;              // at the least step
+  std::vector<double> dt, own_error;  // of the scene's own layer
+
   void add(const Cell& one) {
     (one.found == StepClass::stable ? stable : one.found == StepClass::inaccurate ? inaccurate : unstable) += 1;
     if (one.verdict == "unstable within the limit") within += 1;
     if (one.verdict == "bounded beyond the limit") beyond += 1;
     if (one.verdict == "too short to be seen") brief += 1;
+  }
+  void keep_error(const Cell& one) {
+    if (!(error(one) > 1e-9 && error(one) < 0.1)) return;
+    dt.push_back(one.dt);
+    own_error.push_back(error(one));
+  }
+  std::vector<FindingCell> row(const std::string& integrator) const {
+    const auto n = static_cast<Index>(dt.size());
+    const PowerLaw law =
+        power_law(Eigen::Map<const VectorXd>(dt.data(), n), Eigen::Map<const VectorXd>(own_error.data(), n));
+    return {integrator,
+            stable + inaccurate + unstable,
+            stable,
+            inaccurate,
+            unstable,
+            within,
+            beyond,
+            brief,
+            last_error,
+            law.exponent,
+            law.standard_error};
   }
 };
 
@@ -232,12 +268,13 @@ std::vector<Finding> contact_stability(const AnalysisContext& context) {
         const double dt = 4 * T * std::pow(0.5, i);
         const Cell one = cell(layer, integrator, dt);
         sum.add(one);
+        if (layer.factor == 1) sum.keep_error(one);
+        if (i == steps - 1) sum.last_error = std::max(sum.last_error, error(one));
         map.rows.push_back({scheme, layer.factor, dt, dt / limit, one.radius, one.energy, one.of_peak, one.of_impulse,
                             to_string(one.found), limit, one.verdict});
       }
     }
-    summary.rows.push_back({scheme, sum.stable + sum.inaccurate + sum.unstable, sum.stable, sum.inaccurate,
-                            sum.unstable, sum.within, sum.beyond, sum.brief});
+    summary.rows.push_back(sum.row(scheme));
   }
   return {map, summary};
 }

@@ -50,13 +50,25 @@ void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighb
   }
 }
 
+void bar_fits(Finding& finding) {
+  for (std::size_t j = 1; j < finding.columns.size(); ++j) {
+    if (finding.columns[j].name != "standard error") continue;
+    if (finding.bars.empty()) finding.bars.assign(finding.rows.size(), std::vector(finding.columns.size(), nan));
+    for (std::size_t i = 0; i < finding.rows.size(); ++i)
+      finding.bars[i][j - 1] = std::fmax(finding.bars[i][j - 1], number(finding.rows[i][j]));
+  }
+}
+
 std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& context) {
   std::vector<Finding> findings = analysis.run(context);
   if (analysis.of_truth && context.scene->contacts.empty()) {
     const TruthSet neighbour = neighbour_of(context.truth);
     add_bars(findings, analysis.run({context.scene, context.catalogue, neighbour, context.model}));
   }
-  for (Finding& finding : findings) finding.footing = footing_of(finding.name);
+  for (Finding& finding : findings) {
+    bar_fits(finding);
+    finding.footing = footing_of(finding.name);
+  }
   return findings;
 }
 

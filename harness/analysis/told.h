@@ -14,4 +14,7 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
 // has of its own stay where they are larger.
 void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours);
 
+// A column "standard error" becomes the bar of the fit in the column before it, unless that has a larger one.
+void bar_fits(Finding& finding);
+
 }  // namespace mb

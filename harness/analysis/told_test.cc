@@ -60,5 +60,19 @@ TEST(Footings, AreStatedOfATableOrItIsNamed) {
   EXPECT_THROW(footing_of("surprise"), std::out_of_range);
 }
 
+TEST(BarFits, TakeTheStandardErrorBesideThem) {
+  Finding fits = table("a", "a", "A", "", {{"of", ""}, {"exponent", "-"}, {"standard error", "-"}});
+  fits.rows = {{"x", 2.0, 0.125}, {"y", 1.0, nan}, {"z", 1.0, 0.25}};
+  fits.bars = {{nan, nan, nan}, {nan, nan, nan}, {nan, 0.5, nan}};
+  bar_fits(fits);
+  EXPECT_EQ(fits.bars[0][1], 0.125);
+  EXPECT_TRUE(std::isnan(fits.bars[1][1])) << "of two points there is none";
+  EXPECT_EQ(fits.bars[2][1], 0.5) << "the larger of two";
+  EXPECT_TRUE(std::isnan(fits.bars[0][2]));
+  std::vector<Finding> other{one({{"x", 4.0, 0.5}})};
+  bar_fits(other[0]);
+  EXPECT_TRUE(other[0].bars.empty()) << "no fit";
+}
+
 }  // namespace
 }  // namespace mb

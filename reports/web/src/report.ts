@@ -68,6 +68,7 @@ export interface Report {
     hold: number;
     not_decidable: number;
     not_measured: number;
+    timed: boolean;
     at_target: number;
     compared: number;
     failed_runs: number;

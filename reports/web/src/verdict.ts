@@ -43,14 +43,16 @@ function tiles(report: Report): HTMLElement {
       checks,
     ),
     tile(
-      v.median ? `${v.median}×` : 'none reached',
+      v.median ? `${v.median}×` : contenders && !v.timed ? 'not timed' : 'none reached',
       'speed-up at 1 % error',
       v.at_target
         ? `median over ${v.compared} of ${v.at_target} ${v.at_target === 1 ? 'case' : 'cases'}; ` +
           'both runs within 1 % displacement error'
-        : contenders
-          ? 'no reduced run is within 1 % with its error bar'
-          : 'nothing was run',
+        : !contenders
+          ? 'nothing was run'
+          : v.timed
+            ? 'no reduced run is within 1 % with its error bar'
+            : 'modalbench run without --untimed takes times',
       'plain',
     ),
     tile(
