@@ -6,9 +6,10 @@
 
 namespace mb {
 
+// With all digits: 1.000000001 is not 1.
 std::string bound(const Check& check) {
-  if (check.at_most) return "<= " + format_setting(*check.at_most);
-  return check.at_least ? ">= " + format_setting(*check.at_least) : "no bound";
+  if (check.at_most) return "<= " + exact_number(*check.at_most);
+  return check.at_least ? ">= " + exact_number(*check.at_least) : "no bound";
 }
 
 // Close to its bound a value has the digits that tell it from it: 1.000000 rather than 1.00 against 0.999.

@@ -166,7 +166,8 @@ const std::vector<KeyGroup>& scene_keys() {
          "a path below the case's folder: lines `t, s`, comments with `#`, an optional header, at most 1 MiB", ""},
         {"history.formula", "a text of at most 256 bytes", "", "", "required for expression",
          "in `t` [s] and `pi`; finite and at most 1e6 at all samples and frames and at 4,000 times between, which is "
-         "no proof: a pole elsewhere fails the run, which says so; no assignment, `==` or `!=`",
+         "no proof: a pole elsewhere fails the run, which says so, and a peak shorter than the time between goes "
+         "unseen; no assignment, `==` or `!=`",
          ""}}},
       {"`[[obstacle]]` (any number)",
        {{"obstacle.name", "a name", "", "", "required", "by which contacts refer to it", ""},

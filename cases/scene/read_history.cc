@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "cases/scene/table_file.h"
 
@@ -33,18 +34,29 @@ Common read_common(Section& section, const HistoryContext& context) {
   return common;
 }
 
-std::optional<History> read_harmonic(Section& section, const Common& common) {
+// Adaptive steps follow every period, some ten each: a million take days, and units are more likely wrong.
+bool has_few_periods(Section& section, const char* key, double omega, const HistoryContext& context) {
+  const double periods = omega * context.longest_duration / (2 * std::numbers::pi);
+  if (periods <= 1e6) return true;
+  section.error(key, fmt::format("{} rad/s are {:.3g} periods until the case ends at {} s: at most 1e6", omega, periods,
+                                 context.longest_duration));
+  return false;
+}
+
+std::optional<History> read_harmonic(Section& section, const Common& common, const HistoryContext& context) {
   const auto omega = section.number("omega", omega_range);
   const double phase = section.number("phase", phase_range, 0);
-  if (!omega) return std::nullopt;
+  if (!omega || !has_few_periods(section, "omega", *omega, context)) return std::nullopt;
   return Harmonic{*omega, phase, common.amplitude, common.start};
 }
 
-std::optional<History> read_chirp(Section& section, const Common& common) {
+std::optional<History> read_chirp(Section& section, const Common& common, const HistoryContext& context) {
   const auto omega0 = section.number("omega0", sweep_range);
   const auto omega1 = section.number("omega1", sweep_range);
   const auto duration = section.number("duration", length_range);
   if (!omega0 || !omega1 || !duration) return std::nullopt;
+  if (!has_few_periods(section, "omega0", *omega0, context) || !has_few_periods(section, "omega1", *omega1, context))
+    return std::nullopt;
   return Chirp{*omega0, *omega1, *duration, common.amplitude, common.start};
 }
 
@@ -158,8 +170,8 @@ std::optional<History> read_kind(const std::string& kind, Section& section, cons
   if (kind == "step") return Step{common.amplitude, common.start};
   if (kind == "pulse") return read_shaped<Pulse>(section, common);
   if (kind == "ramp") return read_shaped<Ramp>(section, common);
-  if (kind == "harmonic") return read_harmonic(section, common);
-  return read_chirp(section, common);
+  if (kind == "harmonic") return read_harmonic(section, common, context);
+  return read_chirp(section, common, context);
 }
 
 }  // namespace

@@ -44,8 +44,10 @@ std::optional<double> number(std::string_view text) {
   return failed == std::errc() && end == text.data() + text.size() ? std::optional(x) : std::nullopt;
 }
 
+// A line of words: no digit, and nothing that is a number without one, as nan and inf.
 bool is_header(std::string_view line) {
-  return std::none_of(line.begin(), line.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return std::ranges::none_of(line, is_digit) && !number(line.substr(0, line.find(',')));
 }
 
 }  // namespace
@@ -80,6 +82,7 @@ TableFile table_of_text(std::string_view rest, const std::string& shown, std::si
   Table table;
   std::vector<int> lines;
   int n_lines = 0;
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // as editors mark UTF-8
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = trimmed(rest.substr(0, end));

@@ -32,6 +32,7 @@
 //   long-run                  integrator | modes r | dt | steps | status | swing | drift | exponent | standard error
 //   multiplets                first mode | multiplicity | frequency | gap | difference of frequency |
 //                             subspace distance | distance times gap
+//   multiplets-kept           modes asked for | modes kept | gap at the cut
 //   aspect                    aspect | unknowns | first frequency | largest residual | modes against steps |
 //                             | energy, newmark | energy below the limit | energy past the limit
 //   locking                   element | nu | cells | unknowns | static error | frequency error
@@ -65,7 +66,8 @@
 //   contact-stability         integrator | stiffness factor | dt | dt / limit | spectral radius | energy |
 //                             peak force error | impulse error | found | limit | verdict
 //   contact-stability-summary integrator | cells | stable | inaccurate | unstable |
-//                             unstable within the limit | bounded beyond the limit | too short to be seen
+//                             unstable within the limit | bounded beyond the limit | too short to be seen |
+//                             touch missed | error at the least step | order | standard error
 //   contact-meetings          obstacle | law | stiffness | stated | E* | a | k a/E* | first touch | speed | approach |
 //                             duration | force
 //   contact-geometry          method | modes r | degree | coefficients | kept | condition | residual | worst mode |

@@ -38,7 +38,8 @@ Finding map_table() {
       "force or impulse more than 5 % off those of the closed form with the least step. Spectral radius: of one "
       "step linearised about the height of the impact, the layer pressed at one point as hard as over the "
       "contact's whole area; limit: the step where it passes 1. Growth over one contact that would not show is "
-      "called too short to be seen. Average acceleration is stable at any step while the layer stays pressed; that "
+      "called too short to be seen; where steps leave neither force nor impulse, the touch is missed. Average "
+      "acceleration is stable at any step while the layer stays pressed; that "
       "contact begins and ends within a step no linear theory knows.",
       {{"integrator", ""},
        {"stiffness factor", "-"},
@@ -67,6 +68,7 @@ Finding summary_table() {
        {"unstable within the limit", ""},
        {"bounded beyond the limit", ""},
        {"too short to be seen", ""},
+       {"touch missed", ""},
        {"error at the least step", "-"},
        {"order", "-"},
        {"standard error", "-"}});
@@ -191,7 +193,9 @@ Cell cell(const VariedLayer& layer, const Integrator& scheme, double dt) {
   // What one contact multiplies amplitudes by, squared: energy.
   const double growth = 2 * layer.encounter.meeting.size.duration / dt * std::log(one.radius);
   const bool grows = growth > std::log(grown), seen = one.found == StepClass::unstable;
-  one.verdict = seen && !grows                    ? "unstable within the limit"
+  const bool missed = !seen && !std::isfinite(error(one));
+  one.verdict = missed                            ? "touch missed"
+                : seen && !grows                  ? "unstable within the limit"
                 : !grows && one.radius > 1 + 1e-6 ? "too short to be seen"
                 : grows == seen                   ? "as predicted"
                                                   : "bounded beyond the limit";
@@ -199,7 +203,7 @@ Cell cell(const VariedLayer& layer, const Integrator& scheme, double dt) {
 }
 
 struct Summary {
-  double stable = 0, inaccurate = 0, unstable = 0, within = 0, beyond = 0, brief = 0;
+  double stable = 0, inaccurate = 0, unstable = 0, within = 0, beyond = 0, brief = 0, missed = 0;
   double last_error = 0;              // at the least step
   std::vector<double> dt, own_error;  // of the scene's own layer
 
@@ -208,6 +212,7 @@ struct Summary {
     if (one.verdict == "unstable within the limit") within += 1;
     if (one.verdict == "bounded beyond the limit") beyond += 1;
     if (one.verdict == "too short to be seen") brief += 1;
+    if (one.verdict == "touch missed") missed += 1;
   }
   void keep_error(const Cell& one) {
     if (!(error(one) > 1e-9 && error(one) < 0.1)) return;
@@ -218,17 +223,12 @@ struct Summary {
     const auto n = static_cast<Index>(dt.size());
     const PowerLaw law =
         power_law(Eigen::Map<const VectorXd>(dt.data(), n), Eigen::Map<const VectorXd>(own_error.data(), n));
-    return {integrator,
-            stable + inaccurate + unstable,
-            stable,
-            inaccurate,
-            unstable,
-            within,
-            beyond,
-            brief,
-            last_error,
-            law.exponent,
-            law.standard_error};
+    return {integrator,   stable + inaccurate + unstable,
+            stable,       inaccurate,
+            unstable,     within,
+            beyond,       brief,
+            missed,       last_error,
+            law.exponent, law.standard_error};
   }
 };
 

@@ -53,6 +53,8 @@ const std::vector<Entry>& entries() {
       {"long-run",
        {"conservation of energy", "property", "rounding of sums over 1000 steps; of the exponent as the bars say"}},
       {"multiplets", {"a dense solver of the whole matrix", "second route", "rounding times omega_max/omega squared"}},
+      {"multiplets-kept",
+       {"a dense solver of the whole matrix", "second route", "rounding times omega_max/omega squared"}},
       {"aspect", {"adaptive steps of all unknowns", "second route", "rtol 1e-5 of the steps, times their number"}},
       {"locking",
        {"elements of degree 4 on the finer mesh, its cells halved", "converged numbers",

@@ -31,6 +31,24 @@ Finding multiplets_table() {
        {"distance times gap", "-"}});
 }
 
+Finding kept_table() {
+  return table("multiplets", "multiplets-kept", "Where the study cuts the spectrum",
+               "Elastic modes asked for and kept, rounded up to whole multiplets, and the gap that is cut: of the next "
+               "eigenvalue from the last that is kept, relative. A multiplet that is cut leaves none.",
+               {{"modes asked for", ""}, {"modes kept", ""}, {"gap at the cut", "-"}});
+}
+
+// lambda [1/s^2]: of the whole matrix, by the dense solver.
+Finding kept(const Modes& modes, const VectorXd& lambda, const std::vector<int>& asked) {
+  Finding found = kept_table();
+  for (const int r : asked) {
+    const Index n = leading(modes, r).size();
+    if (n == modes.n_rigid || n == lambda.size()) continue;
+    found.rows.push_back({count(r), count(n - modes.n_rigid), lambda[n] / lambda[n - 1] - 1});
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<Finding> multiplets(const AnalysisContext& context) {
@@ -47,7 +65,7 @@ std::vector<Finding> multiplets(const AnalysisContext& context) {
   for (const TwiceFound& each : twice_found(undamped.M, body.modes, dense.lambda, dense.Phi))
     found.rows.push_back({count(each.multiplet.first - n_rigid + 1), count(each.multiplet.n), each.omega / (2 * pi),
                           each.gap, each.difference, each.distance, each.distance * each.gap});
-  return {found};
+  return {found, kept(body.modes, dense.lambda, mode_counts(context))};
 }
 
 }  // namespace mb

@@ -69,7 +69,8 @@ GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme
   VectorXd times(4);  // from the second step on, the first one may differ from the rest
   times << dt, 2 * dt, static_cast<double>(n + 1) * dt, static_cast<double>(n + 2) * dt;
   const States states = integrator.prepare(alone, settings, times(3))->run(times);
-  GrowthRun run{dt, n, std::pow(std::abs(lambda), static_cast<double>(n)), std::numeric_limits<double>::quiet_NaN()};
+  GrowthRun run{dt, n, std::pow(std::abs(lambda), static_cast<double>(n)), std::numeric_limits<double>::quiet_NaN(),
+                static_cast<double>(n) * mode.omega * dt};
   if (states.status != Status::ok) return run;
   const VectorXd y = states.u.transpose() * mode.M_phi;
   run.observed = std::abs(y(3) - mu * y(2)) / std::abs(y(1) - mu * y(0));
@@ -81,6 +82,7 @@ constexpr double neutral = 1e-9;
 
 std::string growth_verdict(const GrowthRun& run) {
   const double theory = std::log(run.theory), observed = std::log(run.observed);
+  if (std::abs(theory) < neutral && run.phase < 1) return "too short to tell";
   const double allowed = std::abs(theory) < neutral ? 1e-6 : 0.01 * std::abs(theory);
   return std::abs(observed - theory) <= allowed ? "confirmed" : "not confirmed";
 }

@@ -11,6 +11,9 @@
 // exactly: growth over n steps is compared with rho^n without waiting for a peak.
 #pragma once
 
+#include <limits>
+#include <string>
+
 #include "cases/contract/method.h"
 #include "mechanics/system/stability.h"
 #include "modal/bases/highest_mode.h"
@@ -35,9 +38,11 @@ struct GrowthRun {
   double dt;                // [s]
   long n_steps;             // over which growth is taken
   double theory, observed;  // [-] rho^n and what the run shows; NaN where it was not finite
+  double phase = std::numeric_limits<double>::infinity();  // [rad] n omega dt
 };
 // "confirmed" where ln observed = ln theory within 1 %: a run that neither grows nor decays confirms no growth. Within
-// 1e-6 where theory says that the size stays.
+// 1e-6 where theory says that the size stays: "too short to tell" where the mode turned by less than a radian
+// meanwhile.
 std::string growth_verdict(const GrowthRun& run);
 // As many steps as growth by a factor 3 takes, in [20, most_steps]. system: its loads and initial state are not used.
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme& scheme, const Integrator& integrator,

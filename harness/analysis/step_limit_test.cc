@@ -103,6 +103,8 @@ TEST(GrowthRun, IsNotConfirmedByARunThatNeitherGrowsNorDecays) {
   EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-7, NAN}), "not confirmed");
   EXPECT_EQ(growth_verdict({1, 200, 1, 1 + 1e-7}), "confirmed");
   EXPECT_EQ(growth_verdict({1, 200, 1, 1 + 1e-5}), "not confirmed");
+  EXPECT_EQ(growth_verdict({1, 200, 1, 1, 0.9}), "too short to tell");
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-7, 1 + 1e-7, 0.9}), "confirmed") << "what grows is seen at any phase";
 }
 
 // With another scheme's theory the figures part: the comparison can fail.

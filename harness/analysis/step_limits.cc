@@ -80,7 +80,8 @@ Finding runs_table() {
                "where the limit is 0, at a hundredth of 1/omega. Theory: rho^n, rho the spectral radius. Observed: "
                "growth of the run's share in the eigenvector of the larger eigenvalue over the same n steps. A run "
                "confirms where the logarithms of both agree within 1 %, or within 1e-6 where theory says that the "
-               "size stays. Steps are as many as growth or decay by 3 takes, within bounds of work: near "
+               "size stays; it is too short to tell where the mode turns by less than a radian. Steps are as many as "
+               "growth or decay by 3 takes, within bounds of work: near "
                "its limit explicit Euler grows slowly.",
                {{"system", ""},
                 {"modes r", ""},

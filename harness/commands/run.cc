@@ -90,7 +90,7 @@ bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored,
                             : subject_of(check);
     const bool open = result.measured && !result.decidable;  // no pass: what is not known does not hold
     const std::string bar = result.error_bar > 0 ? fmt::format(" +- {:.1e}", result.error_bar) : "";
-    fmt::print(console.out, "{:<5} {} · {} = {} (must be {} {:g}){}\n",
+    fmt::print(console.out, "{:<5} {} · {} = {} (must be {} {}){}\n",
                result.holds ? "holds"
                : open       ? "OPEN"
                             : "FAILS",
@@ -132,8 +132,8 @@ Outcome run_all(const Scenes& scenes, const Catalogue& catalogue, const Store& s
       const CaseOutcome one = run_case(scene, catalogue, store, options, progress);
       const bool may_be_old = one.n_failed > 0 && one.n_stored > 0;
       if (!console.quiet || one.n_failed > 0)
-        fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed{}\n", scene->name, one.n_run,
-                   one.n_stored, store.directory().string(), one.n_failed,
+        fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed, {} checks stated{}\n", scene->name,
+                   one.n_run, one.n_stored, store.directory().string(), one.n_failed, scene->checks.size(),
                    may_be_old ? "; a failure that is stored stays until --again" : "");
       outcome.n_failed += one.n_failed;
       outcome.finished.push_back(*scene);
