@@ -15,7 +15,8 @@ namespace {
 using namespace faults;
 using testing::HasSubstr;
 
-// Killed soon after it has finished something, until nothing is left to do.
+// Killed soon after it has finished something, until nothing is left to do. A run is finished with its records: killed
+// before them, it writes the same trajectory again.
 TEST(FaultCases, ARunThatIsKilledGoesOnWhereItWas) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", analysed_case());
@@ -36,6 +37,8 @@ TEST(FaultCases, ARunThatIsKilledGoesOnWhereItWas) {
     for (const auto& [name, content] : before) {
       ASSERT_TRUE(now.contains(name)) << name;
       EXPECT_TRUE(now.at(name) == content) << name << " is another";
+      const bool is_answer = name.starts_with("trajectories/");
+      if (is_answer && !before.contains("records/" + fs::path(name).stem().string() + ".jsonl")) continue;
       EXPECT_EQ(fs::last_write_time(scratch / ("results/" + name)), written_at.at(name))
           << name << " was written again";
     }

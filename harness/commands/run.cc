@@ -132,9 +132,10 @@ Outcome run_all(const Scenes& scenes, const Catalogue& catalogue, const Store& s
       const CaseOutcome one = run_case(scene, catalogue, store, options, progress);
       const bool may_be_old = one.n_failed > 0 && one.n_stored > 0;
       if (!console.quiet || one.n_failed > 0)
-        fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed, {} checks stated{}\n", scene->name,
-                   one.n_run, one.n_stored, store.directory().string(), one.n_failed, scene->checks.size(),
-                   may_be_old ? "; a failure that is stored stays until --again" : "");
+        fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed{}{}\n", scene->name, one.n_run,
+                   one.n_stored, store.directory().string(), one.n_failed,
+                   may_be_old ? "; a failure that is stored stays until --again" : "",
+                   scene->checks.empty() ? "; it states no check" : "");
       outcome.n_failed += one.n_failed;
       outcome.finished.push_back(*scene);
       if ((outcome.interrupted = one.interrupted)) break;
