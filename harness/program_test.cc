@@ -101,6 +101,17 @@ TEST(ProgramCases, AFailingCheckIsExitCodeOne) {
   EXPECT_THAT(said.out, HasSubstr("FAILS small"));
 }
 
+// As a file cut between two tables does.
+TEST(ProgramCases, ACaseWithoutChecksSaysSo) {
+  const ScratchFolder scratch;
+  const std::string whole = small_case();
+  written(scratch / "small.toml", whole.substr(0, whole.find("[[check]]")));
+  const Said said = modalbench(scratch.path(), {"run", "small.toml"});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("0 failed; it states no check"));
+  EXPECT_THAT(modalbench(scratch.path(), {"check", "small.toml"}).out, HasSubstr("checks: 0"));
+}
+
 TEST(ProgramCases, ADamagedTruthIsNamedAndComputedAgain) {
   const ScratchFolder scratch;
   written(scratch / "small.toml", small_case());
