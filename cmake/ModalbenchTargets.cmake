@@ -4,6 +4,7 @@
 # mb_fuzz(NAME SOURCE... LINK ...)              one libFuzzer binary; the first source, X_fuzz.cc, names its seeds, X_fuzz/
 
 set(MODALBENCH_SANITIZE "" CACHE STRING "Sanitizers to compile with: address, undefined (comma-separated)")
+set(MODALBENCH_LAUNCHER "" CACHE STRING "What unit tests are run by: valgrind with its options (see the preset `valgrind`)")
 option(MODALBENCH_FUZZ "Instrument for libFuzzer and define its targets (clang++; see the preset `fuzz`)" OFF)
 option(MODALBENCH_NATIVE "Compile for this machine's processor (-march=native)" OFF)
 
@@ -76,6 +77,8 @@ endfunction()
 set(MODALBENCH_PATIENCE 1)   # times the limits of tests [s]
 if(MODALBENCH_SANITIZE)
   set(MODALBENCH_PATIENCE 10)
+elseif(MODALBENCH_LAUNCHER)
+  set(MODALBENCH_PATIENCE 40)
 endif()
 
 if(BUILD_TESTING)
@@ -86,7 +89,7 @@ endif()
 
 # Tests are found by gtest_discover_tests; a test suite whose name ends in "Verification" carries the label
 # `verification` (an independent target), "Cases" the label `cases` (runs the program), all others `unit`.
-# Under sanitizers a program takes a second to load: unit tests run in a few processes of hundreds each.
+# Under sanitizers and by valgrind a program takes seconds to load: unit tests run in a few processes of hundreds each.
 function(mb_tests name)
   if(NOT BUILD_TESTING)
     return()
@@ -119,15 +122,22 @@ function(mb_tests name)
     set_tests_properties(${suite_name} PROPERTIES LABELS cases TIMEOUT ${cases_limit})
   endforeach()
   set(unit -*Verification.*:*Cases.*)
-  if(NOT MODALBENCH_SANITIZE)
+  if(NOT MODALBENCH_SANITIZE AND NOT MODALBENCH_LAUNCHER)
     gtest_discover_tests(${name}_test TEST_FILTER ${unit} TEST_LIST ${name}_unit ${common}
       PROPERTIES LABELS unit TIMEOUT 120)
     return()
   endif()
-  foreach(shard RANGE 3)
-    add_test(NAME ${name}.unit.${shard} COMMAND ${name}_test --gtest_brief=1 --gtest_filter=${unit})
-    set_tests_properties(${name}.unit.${shard} PROPERTIES LABELS unit TIMEOUT 1800
-      ENVIRONMENT "GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${shard}")
+  set(n_shards 4)
+  if(MODALBENCH_LAUNCHER)
+    set(n_shards 16)
+  endif()
+  math(EXPR last_shard "${n_shards} - 1")
+  math(EXPR shard_limit "180 * ${MODALBENCH_PATIENCE}")
+  foreach(shard RANGE ${last_shard})
+    add_test(NAME ${name}.unit.${shard}
+      COMMAND ${MODALBENCH_LAUNCHER} $<TARGET_FILE:${name}_test> --gtest_brief=1 --gtest_filter=${unit})
+    set_tests_properties(${name}.unit.${shard} PROPERTIES LABELS unit TIMEOUT ${shard_limit}
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${n_shards};GTEST_SHARD_INDEX=${shard}")
   endforeach()
 endfunction()
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "harness/analysis/analysis.h"
+#include "harness/analysis/footings.h"
 #include "harness/metrics/metric.h"
 #include "mechanics/contact/contact_steppers.h"
 #include "mechanics/system/central_difference.h"
@@ -77,6 +78,7 @@ Vocabulary Catalogue::vocabulary() const {
     if (analysis.scenes == Analysis::Scenes::with_contact) names.analyses_of_contact.push_back(analysis.name);
     if (analysis.theories) names.analyses_of_theories.push_back(analysis.name);
   }
+  names.tables = analyses_of_tables();
   return names;
 }
 

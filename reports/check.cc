@@ -1,6 +1,8 @@
 // A check holds where every value within the error bar satisfies the bound, and fails where none does:
 //
 //   at_most:  value + bar <= bound holds,  value - bar > bound fails,  between them it is not decidable
+//
+// One of how runs end holds where every mark of all of them has that status.
 #include <cmath>
 #include <tuple>
 
@@ -53,6 +55,17 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<cons
   return worst;
 }
 
+CheckResult ended(const Scene& scene, const Check& check, const std::vector<const Record*>& answers) {
+  CheckResult result = blank(scene, check, "no record");
+  for (const Record* answer : answers) {
+    result.holds = answer->status == check.status;
+    result.status = answer->status;
+    result.measured = true;
+    if (!result.holds) break;
+  }
+  return result;
+}
+
 // Rows are asked for by their first cell: a text, or a number as a person writes it.
 bool is_asked(const Check& check, const FindingCell& first) {
   if (check.row.empty()) return true;
@@ -85,14 +98,27 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<Find
 std::vector<const Run*> runs_asked(const Scene& scene, const Check& check, const std::vector<Run>& runs) {
   std::vector<const Run*> all, exact;
   for (const Run& run : runs) {
-    const bool asked = run.case_name == scene.name && run.profile == scene.profile &&
-                       run.contender.method == check.method && run.contender.settings.modes == check.modes &&
-                       (check.rotation.empty() || check.rotation == to_string(run.contender.settings.rotation));
+    const Contender& c = run.contender;
+    const bool asked = run.case_name == scene.name && run.profile == scene.profile && c.method == check.method &&
+                       c.settings.modes == check.modes &&
+                       (check.rotation.empty() || check.rotation == to_string(c.settings.rotation)) &&
+                       (check.integrator.empty() || check.integrator == c.integrator) &&
+                       (!check.time_step || *check.time_step == c.settings.time_step);
     if (!asked) continue;
     all.push_back(&run);
-    if (run.contender.integrator == "exact") exact.push_back(&run);
+    if (c.integrator == "exact") exact.push_back(&run);
   }
   return exact.empty() ? all : exact;
+}
+
+std::vector<const Record*> marks_asked(const Check& check, const Run& run) {
+  std::vector<const Record*> marks;
+  for (const auto& [measure, record] : run.measures) {
+    const bool asked = check.status.empty() ? measure.metric == check.metric && measure.truth == check.truth
+                                            : is_mark(record) && !is_undefined(record);
+    if (asked) marks.push_back(&record);
+  }
+  return marks;
 }
 
 }  // namespace
@@ -109,18 +135,17 @@ std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const s
       }
       std::vector<const Record*> answers;
       for (const Run* run : runs_asked(scene, check, runs)) {
-        for (const auto& [measure, record] : run->measures) {
-          if (measure.metric == check.metric && measure.truth == check.truth) answers.push_back(&record);
-        }
+        const std::vector<const Record*> marks = marks_asked(check, *run);
+        answers.insert(answers.end(), marks.begin(), marks.end());
       }
-      results.push_back(judge(scene, check, answers));
+      results.push_back(check.status.empty() ? judge(scene, check, answers) : ended(scene, check, answers));
     }
   }
   return results;
 }
 
 std::string subject_of(const Check& check) {
-  if (check.table.empty()) return check.metric;
+  if (check.table.empty()) return check.status.empty() ? check.metric : "how it ends";
   const auto shown = [](const std::string& text) { return printable(text, text.size()); };
   return "table " + check.table + ", column " + shown(check.column) +
          (check.row.empty() ? "" : ", row " + shown(check.row));

@@ -8,6 +8,7 @@ namespace mb {
 
 // With all digits: 1.000000001 is not 1.
 std::string bound(const Check& check) {
+  if (!check.status.empty()) return check.status;
   if (check.at_most) return "<= " + exact_number(*check.at_most);
   return check.at_least ? ">= " + exact_number(*check.at_least) : "no bound";
 }
@@ -15,6 +16,7 @@ std::string bound(const Check& check) {
 // Close to its bound a value has the digits that tell it from it: 1.000000 rather than 1.00 against 0.999.
 Cell measured_cell(const CheckResult& result) {
   if (!result.measured) return text_cell("none");
+  if (!result.check.status.empty()) return text_cell(result.status);
   const double bound = result.check.at_most ? *result.check.at_most : result.check.at_least.value_or(0);
   const bool is_close = std::abs(result.value - bound) <= 0.01 * std::abs(bound);
   return {.text = is_close ? format_number(result.value, 7) : format_with_bar(result.value, result.error_bar),

@@ -74,6 +74,53 @@ TEST(CheckResults, AreOfTheRotationAskedFor) {
   EXPECT_EQ(result_of(check, records).status, "no record");
 }
 
+// Likewise of several integrators and steps; where none is named closed form answers.
+TEST(CheckResults, AreOfTheStepsAskedFor) {
+  const auto stepped = [](double time_step) {
+    Contender contender = reduced("eigenmodes", 8);
+    contender.integrator = "newmark";
+    contender.settings.time_step = time_step;
+    return contender;
+  };
+  const std::vector<Record> records{record("displacement-error", 0.01, 0, reduced("eigenmodes", 8)),
+                                    record("displacement-error", 0.2, 0, stepped(1e-2)),
+                                    record("displacement-error", 0.02, 0, stepped(5e-3))};
+  Check check = at_most(0.015);
+  EXPECT_TRUE(result_of(check, records).holds);
+  check.integrator = "newmark";
+  EXPECT_EQ(result_of(check, records).value, 0.2);  // the worst of all steps
+  check.time_step = 5e-3;
+  EXPECT_EQ(result_of(check, records).value, 0.02);
+  check.time_step = 1e-3;
+  EXPECT_EQ(result_of(check, records).status, "no record");
+  check.integrator = "symplectic-euler";
+  check.time_step = {};
+  EXPECT_EQ(result_of(check, records).status, "no record");
+}
+
+TEST(CheckResults, OfHowRunsEndHoldWhereAllMarksHaveThatStatus) {
+  Check check = of_eight_modes();
+  check.metric = check.truth = "";
+  check.status = "unstable";
+  const auto marks = [](const std::string& first, const std::string& second) {
+    std::vector<Record> both{record("displacement-error", 0.01, 0, reduced("eigenmodes", 8)),
+                             record("strain-error", 0.01, 0, reduced("eigenmodes", 8))};
+    both[0].status = first;
+    both[1].status = second;
+    return both;
+  };
+  EXPECT_TRUE(result_of(check, marks("unstable", "unstable")).holds);
+  EXPECT_TRUE(result_of(check, marks("unstable", "undefined: no contact")).holds);
+  for (const auto& [first, second] : {std::pair{"unstable", "ok"}, {"ok", "ok"}, {"unstable", "failed: memory"}}) {
+    const CheckResult result = result_of(check, marks(first, second));
+    EXPECT_FALSE(result.holds) << first << second;
+    EXPECT_TRUE(result.measured) << first << second;
+    EXPECT_NE(result.status, "unstable") << first << second;
+  }
+  EXPECT_EQ(result_of(check, {}).status, "no record");
+  EXPECT_FALSE(result_of(check, {}).holds);
+}
+
 TEST(CheckResults, FailsWhereEvenTheNearestValueOfTheBarIsOutside) {
   for (const CheckResult& result :
        {result_of(at_most(0.02), answer(0.022, 1e-3)), result_of(at_least(0.02), answer(0.018, 1e-3)),

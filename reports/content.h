@@ -33,7 +33,7 @@ struct CheckResult {
   bool measured = false;      // false where no usable record answers it: `status` says what the record says, if any
   bool holds = false;         // measured, and within its bound by the error bar or more
   bool decidable = true;      // false: the bound lies within the error bar of the value
-  std::string status = "ok";  // of the record; "no record" where there is none
+  std::string status = "ok";  // of the record, where one fails of that; "no record" where there is none
   Footing footing = {};       // of the table, where it is a check of one
 };
 // A check of a table: the row furthest from its bound; a cell that is no number leaves it unmeasured.

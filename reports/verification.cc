@@ -15,6 +15,7 @@ using Kind = Column::Kind;
 std::string reference_of(const CheckResult& result, const Scene* scene) {
   const Check& check = result.check;
   if (!check.table.empty()) return result.footing.reference;
+  if (!check.status.empty()) return "growth without bound past the limit of the scheme";
   if (!scene) return check.truth;
   if (check.truth == "exact") return "closed form " + scene->truth.exact;
   const std::string rtol = format_setting(scene->truth.relative_tolerance);
@@ -26,11 +27,13 @@ std::string reference_of(const CheckResult& result, const Scene* scene) {
 std::string kind_of(const CheckResult& result) {
   const Check& check = result.check;
   if (!check.table.empty()) return result.footing.kind;
+  if (!check.status.empty()) return "property";
   return check.truth == "exact" ? "closed form" : check.truth == "finer" ? "converged numbers" : "second route";
 }
 
 std::string uncertainty_of(const CheckResult& result) {
   if (result.error_bar > 0) return format_number(result.error_bar, 2);
+  if (!result.check.status.empty()) return "none: how a run ends is no number";
   if (result.has_bar) return "below the digits shown";
   return result.check.table.empty() ? "none: of the answer alone" : result.footing.uncertainty;
 }
@@ -41,7 +44,7 @@ std::string unit_of(const CheckResult& result) { return result.unit == "-" ? "" 
 
 std::string checked(const Check& check) {
   if (check.method.empty()) return subject_of(check);
-  return joined({check.method, check.rotation, "r = " + std::to_string(check.modes)}, " ") + ": " + subject_of(check);
+  return runs_of(check) + ": " + subject_of(check);
 }
 
 Sheet verification_table(const Evaluation& evaluation) {

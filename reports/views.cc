@@ -141,8 +141,7 @@ Sheet checks_table(const Evaluation& evaluation) {
   table.columns = {{"case", ""},
                    {"profile", ""},
                    {"truth", ""},
-                   {"method", ""},
-                   {"r", "", Kind::number},
+                   {"runs", ""},
                    {"what", ""},
                    {"measured", "", Kind::number},
                    {"error bar", "", Kind::number},
@@ -151,9 +150,7 @@ Sheet checks_table(const Evaluation& evaluation) {
                    {"why", ""}};
   for (const CheckResult& result : evaluation.checks) {
     table.rows.push_back({text_cell(result.case_name), text_cell(result.profile), text_cell(result.check.truth),
-                          text_cell(joined({result.check.method, result.check.rotation}, " ")),
-                          result.check.method.empty() ? text_cell("") : count_cell(result.check.modes),
-                          text_cell(subject_of(result.check)), measured_cell(result), bar_cell(result),
+                          text_cell(runs_of(result.check)), text_cell(subject_of(result.check)), measured_cell(result), bar_cell(result),
                           text_cell(bound(result.check)), text_cell(verdict(result)), text_cell(result.check.why)});
   }
   return table;

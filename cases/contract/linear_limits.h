@@ -1,6 +1,6 @@
-// Up to where linear theory is taken without a warning. Beyond, it is off by a per cent and more: of strain by about the
-// strain itself, of the displacement of what bends by the tip's way over the length, of what turns by half the square of
-// the rotation.
+// Up to where linear theory is taken without a warning. Beyond, it is off by a per cent and more: of strain by about
+// the strain itself, of the displacement of what bends by the tip's way over the length, of what turns by half the
+// square of the rotation.
 #pragma once
 
 namespace mb {

@@ -33,6 +33,8 @@ struct RefusedLine {
   int line;  // 1-based; 0: the file as a whole
   std::string reason;
 };
+std::string to_string(const RefusedLine& refused);  // "FILE:LINE: REASON", of the file as a whole "FILE: REASON"
+
 struct RecordLines {
   std::vector<Record> records;  // in the file's order
   std::vector<RefusedLine> refused;

@@ -47,6 +47,11 @@ RecordLines records_from(std::streambuf& from, const std::filesystem::path& file
 
 }  // namespace
 
+std::string to_string(const RefusedLine& refused) {
+  const std::string line = refused.line > 0 ? std::to_string(refused.line) + ":" : "";
+  return refused.file.string() + ":" + line + " " + refused.reason;
+}
+
 RecordLines read_records(const std::filesystem::path& file) {
   const auto refused = [&](const std::string& reason) { return RecordLines{{}, {{file, 0, reason}}}; };
   std::error_code error;

@@ -26,7 +26,27 @@ inline Vocabulary vocabulary() {
           {"stability-map", "aliasing", "frequency-response", "probe-extremes", "damping", "slenderness",
            "damping-coupling", "long-run", "locking", "linearity", "aspect"},
           {"contact-stiffness", "contact", "flight-cost", "amplitude", "instructions", "contact-stability"},
-          {"contact-stiffness"}};
+          {"contact-stiffness"},
+          // Those that checks of the suite's cases name.
+          {{"budget", "budget"},
+           {"step-limits", "step-limits"},
+           {"step-limit-runs", "step-limits"},
+           {"stability-summary", "stability-map"},
+           {"damping", "damping"},
+           {"damping-coupling", "damping-coupling"},
+           {"aspect", "aspect"},
+           {"long-run", "long-run"},
+           {"locking-growth", "locking"},
+           {"linearity", "linearity"},
+           {"multiplets", "multiplets"},
+           {"multiplets-kept", "multiplets"},
+           {"multiplets-answers", "multiplets"},
+           {"frequencies", "frequencies"},
+           {"frequency-response-peaks", "frequency-response"},
+           {"probe-extremes", "probe-extremes"},
+           {"slenderness", "slenderness"},
+           {"contact-meetings", "contact"},
+           {"contact-stability-summary", "contact-stability"}}};
 }
 
 inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }

@@ -51,7 +51,8 @@ bool depends_on_case(const std::string& documented) {
                                           "study.rival.time_steps",
                                           "study.stepping.time_steps",
                                           "check.method",
-                                          "check.metric"};
+                                          "check.metric",
+                                          "check.integrator"};
   return such.contains(documented);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cases/scene/nearest.h"
 #include "cases/scene/read_study.h"
 
 namespace mb {
@@ -30,20 +31,44 @@ void read_limit(Section& section, const Range& range, Check& check) {
   }
 }
 
-// Modes and method must be among what the study runs in every profile, else the check would never be answered.
+constexpr const char* full_order = "full-order";
+
+template <class All, class One>
+bool has(const All& all, const One& one) {
+  return std::ranges::find(all, one) != all.end();
+}
+
+// Whether a rival or a stepping of the study answers a check that names its steps.
+bool is_stepped(const Study& study, const Check& check, bool has_modes) {
+  const auto steps = [&](const auto& runs) {
+    return (check.integrator.empty() || runs.integrator == check.integrator) &&
+           (!check.time_step || has(runs.time_steps, *check.time_step));
+  };
+  if (check.method == full_order) return std::ranges::any_of(study.rivals, steps);
+  return std::ranges::any_of(study.steppings, [&](const Stepping& runs) {
+    return steps(runs) && has(runs.methods, check.method) && (!has_modes || has(runs.modes, check.modes));
+  });
+}
+
+// What it asks for must be among what the study runs in every profile, else the check would never be answered.
 void check_is_run(Section& section, const Check& check, const CheckContext& context, bool has_modes) {
   const Study& study = *context.study;
-  if (has_modes && !study.modes.empty() &&
-      std::find(study.modes.begin(), study.modes.end(), check.modes) == study.modes.end()) {
-    section.error("modes", fmt::format("{} does not run {} modes", context.runs, check.modes),
-                  "'modes' of a check is one of the mode counts in [study], and in every profile that states others");
-  }
   const auto is_asked = [&](RotationCoupling rotation) { return to_string(rotation) == check.rotation; };
   if (!check.rotation.empty() && std::ranges::none_of(study.rotations, is_asked))
     section.error("rotation", fmt::format("the study does not run rotation '{}'", check.rotation),
                   "'rotation' of a check is one of those in [study]");
-  if (!study.methods.empty() &&
-      std::find(study.methods.begin(), study.methods.end(), check.method) == study.methods.end()) {
+  if (check.method == full_order || (!check.integrator.empty() && check.integrator != "exact")) {
+    if (!is_stepped(study, check, has_modes))
+      section.error(check.integrator.empty() ? "method" : "integrator",
+                    fmt::format("{} does not run {}", context.runs, runs_of(check)),
+                    "the study's rivals and steppings, and those of every profile that states others, step with it");
+    return;
+  }
+  if (has_modes && !study.modes.empty() && !has(study.modes, check.modes)) {
+    section.error("modes", fmt::format("{} does not run {} modes", context.runs, check.modes),
+                  "'modes' of a check is one of the mode counts in [study], and in every profile that states others");
+  }
+  if (!study.methods.empty() && !has(study.methods, check.method)) {
     section.error("method", fmt::format("the study does not run method '{}'", check.method),
                   "'method' of a check is one of the methods in [study]");
   }
@@ -57,42 +82,95 @@ std::optional<int> no_modes(Section& section, const std::optional<std::string>& 
   return 0;
 }
 
-// Of a run: method, metric, truth and, where the method takes one, the mode count.
-bool read_run(Section& section, const CheckContext& context, const Vocabulary& vocabulary, Check& check) {
-  const auto method = section.choice("method", {vocabulary.methods, "method", "methods"});
+// Whose runs: method, where it takes one the mode count, coupling, integrator and step. Returns whether it has modes.
+std::optional<bool> read_contender(Section& section, const Vocabulary& vocabulary, Check& check) {
+  std::vector<std::string> methods = vocabulary.methods;
+  if (!has(methods, full_order)) methods.emplace_back(full_order);
+  const auto method = section.choice("method", {methods, "method", "methods"});
+  const bool has_modes = method ? *method != full_order && takes_modes(*method, vocabulary) : section.has("modes");
+  const auto modes = has_modes ? section.integer("modes", {0, 4096}) : no_modes(section, method);
+  if (section.has("rotation"))
+    check.rotation =
+        section.choice("rotation", {{"rigid", "coupled", "unstiffened"}, "rotation", "rotations"}).value_or("");
+  if (section.has("integrator"))
+    check.integrator =
+        section.choice("integrator", {vocabulary.integrators, "integrator", "integrators"}).value_or("");
+  if (section.has("time_step")) check.time_step = section.number("time_step", {1e-15, 1e5, "s"});
+  if (section.has("time_step") && !section.has("integrator"))
+    section.error("time_step", "'time_step' of a check needs 'integrator', whose step it is");
+  if (!method || !modes) return std::nullopt;
+  check.method = *method;
+  check.modes = *modes;
+  return has_modes;
+}
+
+// What of them: a metric against a truth, or how they end.
+bool read_mark(Section& section, const CheckContext& context, const Vocabulary& vocabulary, Check& check) {
+  if (section.has("status")) {
+    for (const char* key : {"metric", "truth", "at_most", "at_least"}) {
+      if (!section.has(key)) continue;
+      section.findings().error(
+          section.where_key(key),
+          fmt::format("{} has both 'status' and '{}': a check is of a number or of how runs end", section.title(), key),
+          "of a number: metric, truth, at_most or at_least; of how runs end: status");
+    }
+    check.status = section.choice("status", {{"unstable"}, "status", "statuses"}).value_or("");
+    return !check.status.empty();
+  }
   const auto metric = section.choice("metric", {vocabulary.metrics, "metric", "metrics"});
   const auto truth = section.choice("truth", {{"finer", "same_mesh", "exact"}, "truth", "truths"});
   if (truth == "exact" && !context.has_exact) {
     section.error("truth", "there is no exact truth: [truth] has no key 'exact', which names a closed form");
   }
-  const bool has_modes = method ? takes_modes(*method, vocabulary) : section.has("modes");
-  const auto modes = has_modes ? section.integer("modes", {0, 4096}) : no_modes(section, method);
-  if (section.has("rotation"))
-    check.rotation =
-        section.choice("rotation", {{"rigid", "coupled", "unstiffened"}, "rotation", "rotations"}).value_or("");
-  if (!method || !metric || !truth || !modes) return false;
-  check.method = *method;
+  if (truth == "same_mesh" && check.method == full_order) {
+    section.error("truth", "full order is not held to 'same_mesh': it has meshes of its own");
+  }
+  if (!metric || !truth) return false;
   check.metric = *metric;
   check.truth = *truth;
-  check.modes = *modes;
-  if (context.study) check_is_run(section, check, context, has_modes);
   return true;
 }
 
+bool read_run(Section& section, const CheckContext& context, const Vocabulary& vocabulary, Check& check) {
+  const auto has_modes = read_contender(section, vocabulary, check);
+  const bool is_marked = read_mark(section, context, vocabulary, check);
+  if (has_modes && context.study) check_is_run(section, check, context, *has_modes);
+  return has_modes && is_marked;
+}
+
+// The table must be one that an analysis makes, and the study must ask for that analysis.
+void check_is_made(Section& section, const std::string& table, const CheckContext& context,
+                   const Vocabulary& vocabulary) {
+  const auto made = vocabulary.tables.find(table);
+  if (made == vocabulary.tables.end()) {
+    std::vector<std::string> names;
+    for (const auto& [name, analysis] : vocabulary.tables) names.push_back(name);
+    section.error("table", fmt::format("no analysis makes a table '{}'", table), suggestion(table, names, "tables"));
+  } else if (context.study && std::ranges::count(context.study->analyses, made->second) == 0) {
+    section.error("table",
+                  fmt::format("table '{}' is of analysis '{}', which the study does not ask for", table, made->second),
+                  "'analyses' in [study] lists what is made");
+  }
+}
+
 // Of a table that an analysis makes: every row of a column, or those that begin with `row`.
-bool read_table_check(Section& section, const CheckContext& context, Check& check) {
-  for (const char* key : {"method", "metric", "truth", "modes", "rotation"}) {
+bool read_table_check(Section& section, const CheckContext& context, const Vocabulary& vocabulary, Check& check) {
+  for (const char* key :
+       {"method", "metric", "truth", "modes", "rotation", "integrator", "time_step", "status"}) {
     if (!section.has(key)) continue;
     section.findings().error(
         section.where_key(key),
         fmt::format("{} has both 'table' and '{}': a check is of a table or of a run", section.title(), key),
-        "of a table: table, column, row; of a run: method, metric, truth, modes, rotation");
+        "of a table: table, column, row; of a run: method, modes, rotation, integrator, time_step, and metric and truth "
+        "or status");
   }
   const auto table = section.name("table");
   const auto column = section.text("column", most_label);
   check.row = section.text("row", most_label, "");
   if (table && context.study && context.study->analyses.empty()) {
     section.error("table", "no analysis makes tables: [study] has no key 'analyses'");
+  } else if (table) {
+    check_is_made(section, *table, context, vocabulary);
   }
   if (!table || !column) return false;
   check.table = *table;
@@ -106,9 +184,10 @@ std::optional<Check> read_check(Section section, const CheckContext& context, co
   Check check{};
   bool of_table = false;
   for (const char* key : {"table", "column", "row"}) of_table = section.has(key) || of_table;
-  bool whole = of_table ? read_table_check(section, context, check) : read_run(section, context, vocabulary, check);
+  bool whole =
+      of_table ? read_table_check(section, context, vocabulary, check) : read_run(section, context, vocabulary, check);
   const auto why = section.prose("why", 1000);
-  read_limit(section, of_table ? cell_range : mark_range, check);
+  if (of_table || !section.has("status")) read_limit(section, of_table ? cell_range : mark_range, check);
   section.finish();
   if (!whole || !why) return std::nullopt;
   check.why = *why;

@@ -112,8 +112,8 @@ void read_probes(Section& root, const std::vector<BodyDraft>& bodies, Scene& sce
 }
 
 std::string twin_key(const Check& check) {
-  return fmt::format("{} {} {} {} {} {}\n{}\n{} {}", check.method, check.metric, check.truth, check.modes,
-                     check.rotation, check.table, check.column, check.row, check.at_most.has_value());
+  return fmt::format("{} {} {} {} {}\n{}\n{} {}", runs_of(check), check.metric, check.truth, check.status, check.table,
+                     check.column, check.row, check.at_most.has_value());
 }
 
 void read_checks(Section& root, const CheckContext& context, const Vocabulary& vocabulary, Scene& scene) {
@@ -174,7 +174,8 @@ Scene read_parts(Section root, const Context& context, const std::string& name) 
   if (auto section = root.section("reference_frequencies", true)) {
     scene.reference_frequencies = read_reference_frequencies(*section);
   }
-  const std::string runs = profile && profile->has("modes") ? fmt::format("profile {}", name) : "the study";
+  const bool has_runs = profile && (profile->has("modes") || profile->has("rival") || profile->has("stepping"));
+  const std::string runs = has_runs ? fmt::format("profile {}", name) : "the study";
   read_checks(root, {study, runs, truth.has_exact}, context.vocabulary, scene);
   if (profile) profile->finish();
   root.finish();

@@ -186,6 +186,30 @@ TEST(ReadCheck, of_a_method_without_mode_count_has_none) {
   EXPECT_EQ(test::read(text).checks.back().modes, 0);
 }
 
+TEST(ReadCheck, of_stepped_runs_names_integrator_and_step) {
+  const std::string text = with_one_check(cylinder_text()) + R"(
+[[check]]
+method     = "full-order"
+integrator = "newmark"
+time_step  = 0.004166666666666667
+status     = "unstable"
+why = "For a test."
+[[check]]
+method = "full-order"
+metric = "displacement-error"
+truth  = "finer"
+at_most = 1
+why = "Of all rivals."
+)";
+  const std::vector<Check> checks = test::read(text).checks;
+  const Check& of_one = checks.at(checks.size() - 2);
+  EXPECT_EQ(runs_of(of_one), "full-order newmark dt=0.00416667 s");
+  EXPECT_EQ(of_one.status, "unstable");
+  EXPECT_FALSE(of_one.at_most || of_one.at_least);
+  EXPECT_EQ(runs_of(checks.back()), "full-order");
+  EXPECT_EQ(runs_of(checks.front()), "static-correction r=32");
+}
+
 TEST(ReadTruth, a_closed_form_must_hold_for_the_scene) {
   const std::string text = with(cylinder_text(), "[truth]\n", "[truth]\nexact = \"rod-step\"\n");
   Scene scene = test::read(cylinder_text());

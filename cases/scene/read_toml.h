@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,6 +42,7 @@ struct Vocabulary {
   std::vector<std::string> analyses_of_loads = {};    // of analyses: those of scenes without contact
   std::vector<std::string> analyses_of_contact = {};  // of analyses: those of scenes with it
   std::vector<std::string> analyses_of_theories = {}; /* of analyses: those that take beam and plate theory */
+  std::map<std::string, std::string> tables = {};     // that checks may name: the analysis that makes each
 };
 
 // profile: "quick", "standard" or "full". Throws CaseErrors.

@@ -45,6 +45,15 @@ Resolution of_body(const Resolution& scene_mesh, std::size_t body) {
   return first;
 }
 
+std::string runs_of(const Check& check) {
+  std::string all = check.method;
+  if (!check.rotation.empty()) all += " " + check.rotation;
+  if (!check.method.empty() && check.method != "full-order") all += fmt::format(" r={}", check.modes);
+  if (!check.integrator.empty()) all += " " + check.integrator;
+  if (check.time_step) all += fmt::format(" dt={:g} s", *check.time_step);
+  return all;
+}
+
 const char* to_string(Theory theory) {
   static constexpr const char* names[] = {"solid", "euler-bernoulli", "kirchhoff"};
   return names[static_cast<std::size_t>(theory)];

@@ -193,16 +193,21 @@ struct ReferenceFrequencies {
   double uncertainty = 0;     // [-] relative
 };
 
-// What must hold; decides exit codes. Exactly one of at_most and at_least. Of a run: method, metric, truth, modes,
-// rotation. Of a table that an analysis makes: table and column, every row of it, or those whose first cell is `row`.
+// What must hold; decides exit codes. Exactly one of at_most, at_least and status. Of runs: method, modes, rotation,
+// integrator, time_step, and metric and truth or status. Of a table that an analysis makes: table and column, every row
+// of it, or those whose first cell is `row`.
 struct Check {
-  std::string table, column, row;     // "" where the check is of a run
+  std::string table, column, row;     // "" where the check is of runs
   std::string method, metric, truth;  // truth: "finer", "same_mesh" or "exact"
   int modes;                          // 0 for methods that take no mode count
   std::optional<double> at_most, at_least;
   std::string why;
-  std::string rotation = {};  // of runs: the coupling, or "": of all in the study
+  std::string rotation = {};             // the coupling, or "": of all in the study
+  std::string integrator = {};           // or "": the closed form, and of full order all
+  std::optional<double> time_step = {};  // [s] of fixed steps; nothing: all
+  std::string status = {};               // what all of the runs must end in, "unstable"; "": as metric and bound say
 };
+std::string runs_of(const Check& check);  // "eigenmodes r=16 newmark dt=0.001 s"; "" of a table
 
 struct Scene {
   std::string name, title, purpose, source;

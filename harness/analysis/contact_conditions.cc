@@ -4,6 +4,7 @@
 
 #include "cases/contract/touchdown.h"
 #include "harness/analysis/contact_tables.h"
+#include "harness/analysis/told.h"
 #include "harness/metrics/contact_metrics.h"
 
 namespace mb {
@@ -17,8 +18,8 @@ constexpr int n_mode_counts = 3;
 Finding contacts_table() {
   return table("contact-stiffness", "contacts-in-turn", "Contacts one by one",
                "Touches that follow each other within half of the first one's duration are one contact. Errors against "
-               "the truth's same contact, relative, that of the start to the duration of the truth's first. Empty: it "
-               "has no such contact.",
+               "the truth's same contact, relative, that of the start to the duration of the truth's first; their "
+               "bars the distance to those against its coarser mesh. Empty: it has no such contact.",
                {{"contact", ""},
                 {"contender", ""},
                 {"modes r", ""},
@@ -74,8 +75,13 @@ std::array<double, 4> differences(const Contacts& of, const Contacts& against, s
           relative(a.peak_force, b.peak_force, b.peak_force), (a.impulse - b.impulse).norm() / b.impulse.norm()};
 }
 
-void add_rows(std::vector<Finding>& found, const ContactContender& of, const Contacts& contacts,
-              const Contacts& stiffer, const Contacts& truth) {
+// The truth, and its neighbour, whose distance is its bar.
+struct Truths {
+  Contacts truth, neighbour;
+};
+
+void add_rows(std::vector<Finding>& found, Finding& beside, const ContactContender& of, const Contacts& contacts,
+              const Contacts& stiffer, const Truths& truths) {
   for (size_t k = 0; k < std::min(contacts.size(), most); ++k) {
     const Touch& touch = contacts[k].whole;
     std::vector<FindingCell> row{count(static_cast<Index>(k) + 1),
@@ -85,7 +91,9 @@ void add_rows(std::vector<Finding>& found, const ContactContender& of, const Con
     for (const double d : differences(stiffer, contacts, k)) conditions.push_back(number(d / change));
     row.insert(row.end(), {count(contacts[k].n_touches), touch.start, number(touch.end - touch.start), touch.peak_force,
                            touch.impulse.norm()});
-    for (const double d : differences(contacts, truth, k)) row.push_back(number(d));
+    beside.rows.push_back(row);
+    for (const double d : differences(contacts, truths.truth, k)) row.push_back(number(d));
+    for (const double d : differences(contacts, truths.neighbour, k)) beside.rows.back().push_back(number(d));
     found[0].rows.push_back(std::move(row));
     found[1].rows.push_back(std::move(conditions));
   }
@@ -112,14 +120,16 @@ std::vector<Finding> contact_conditions(const ContactVariants& variants, const A
     as_it_is.contacts[meeting.contact].stiffness = meeting.size.stiffness;
     stiffer.contacts[meeting.contact].stiffness = (1 + change) * meeting.size.stiffness;
   }
-  Contacts truth = contacts_in(context.truth.finer);
+  Truths truths{contacts_in(context.truth.finer), contacts_in(context.truth.coarser)};
   if (context.truth.exact) {  // a closed form may end with the first contact
     Contacts exact = contacts_in(*context.truth.exact);
-    if (exact.size() >= truth.size()) truth = std::move(exact);
+    if (exact.size() >= truths.truth.size()) truths = {exact, exact};
   }
-  for (const ContactContender& of : contenders(variants, context, truth))
-    add_rows(found, of, contacts_in(variants.simulate(as_it_is, of)), contacts_in(variants.simulate(stiffer, of)),
-             truth);
+  std::vector<Finding> beside{contacts_table()};
+  for (const ContactContender& of : contenders(variants, context, truths.truth))
+    add_rows(found, beside[0], of, contacts_in(variants.simulate(as_it_is, of)),
+             contacts_in(variants.simulate(stiffer, of)), truths);
+  add_bars(found, beside);
   return found;
 }
 

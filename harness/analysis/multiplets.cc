@@ -1,13 +1,17 @@
 // The modes kept, by two solvers which share nothing but K and M: block Lanczos iterations on the factor of K - sigma M
-// (modal/bases/shift_invert.h), and a dense reduction to tridiagonal form. Multiplet by multiplet (two_solvers.h).
+// (modal/bases/shift_invert.h), and a dense reduction to tridiagonal form. Multiplet by multiplet (two_solvers.h), and
+// what the scene's loads make of each.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/modal_body.h"
+#include "harness/analysis/stability_grid.h"
 #include "harness/analysis/two_solvers.h"
 #include "mechanics/system/modal_form.h"
+#include "modal/methods/projection.h"
 
 namespace mb {
 
@@ -49,6 +53,44 @@ Finding kept(const Modes& modes, const VectorXd& lambda, const std::vector<int>&
   return found;
 }
 
+Finding answers_table() {
+  return table("multiplets", "multiplets-answers", "Whether answers depend on the basis",
+               "The scene's motion in closed form, in the modes of either solver, each of which has a basis of its own "
+               "within every multiplet: difference of the deformations over all samples, in the M norm, relative.",
+               {{"modes kept", ""}, {"difference", "-"}});
+}
+
+// Deformations at the scene's samples, n x n_t.
+MatrixXd motion(const System& system, const Modes& modes, const Scene& scene) {
+  const MappedSystem mapped =
+      mapped_system(project(system, modes), sample_times(scene), scene.duration, scene.study.load_tolerance);
+  return modes.Phi.rightCols(mapped.exact.rows()) * mapped.exact;
+}
+
+double difference(const SparseMatrix& M, const MatrixXd& a, const MatrixXd& b) {
+  const MatrixXd off = a - b;
+  return std::sqrt(off.cwiseProduct(M * off).sum() / b.cwiseProduct(M * b).sum());
+}
+
+Finding answers(const System& system, const Modes& modes, const ModalForm& dense, const Scene& scene,
+                const std::vector<int>& asked) {
+  Finding found = answers_table();
+  if (!scene.contacts.empty()) return found;  // of loads alone
+  Index before = 0;
+  for (const int r : asked) {
+    const Modes kept = leading(modes, r);
+    const Index n = kept.size();
+    if (n == modes.n_rigid || n == before) continue;
+    before = n;
+    Modes other = kept;
+    other.omega = dense.lambda.head(n).cwiseMax(0).cwiseSqrt();
+    other.Phi = dense.Phi.leftCols(n);
+    found.rows.push_back(
+        {count(n - modes.n_rigid), difference(system.M, motion(system, kept, scene), motion(system, other, scene))});
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<Finding> multiplets(const AnalysisContext& context) {
@@ -65,7 +107,9 @@ std::vector<Finding> multiplets(const AnalysisContext& context) {
   for (const TwiceFound& each : twice_found(undamped.M, body.modes, dense.lambda, dense.Phi))
     found.rows.push_back({count(each.multiplet.first - n_rigid + 1), count(each.multiplet.n), each.omega / (2 * pi),
                           each.gap, each.difference, each.distance, each.distance * each.gap});
-  return {found, kept(body.modes, dense.lambda, mode_counts(context))};
+  const std::vector<int> asked = mode_counts(context);
+  return {found, kept(body.modes, dense.lambda, asked),
+          answers(body.system, body.modes, dense, *context.scene, asked)};
 }
 
 }  // namespace mb

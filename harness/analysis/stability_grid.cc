@@ -45,6 +45,12 @@ double error_of_steps(const MappedSystem& mapped, const Integrator& integrator, 
   return (states.u.bottomRows(mapped.modes.omega.size()) - mapped.exact).norm() / mapped.exact.norm();
 }
 
+// x = omega h of the fastest mode
+double energy_of_theory(const std::string& integrator, double x) {
+  if (integrator == "newmark" || integrator == "central-difference") return 1;
+  return integrator == "symplectic-euler" ? (1 + x / 2) / (1 - x / 2) : nan;
+}
+
 // Energy grows by rho^2 a step at last: what would not pass the bound in these steps is not told from what is stable.
 std::optional<StepClass> prediction(double radius, long n_steps) {
   if (std::isnan(radius)) return std::nullopt;
@@ -75,7 +81,10 @@ MappedSystem mapped_system(System system, const VectorXd& times, double duration
 
 StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps) {
   const Scheme* scheme = scheme_of(integrator.name, mapped.system);
-  StepCell cell{dt, scheme ? step_radius(mapped.modes, *scheme, dt) : nan, n_steps, 0, nan, StepClass::unstable, {}};
+  const double radius = scheme ? step_radius(mapped.modes, *scheme, dt) : nan;
+  const bool is_bounded = radius <= 1 + 1e-12;
+  const double bound = is_bounded ? energy_of_theory(integrator.name, mapped.modes.omega.maxCoeff() * dt) : nan;
+  StepCell cell{dt, radius, n_steps, 0, bound, nan, StepClass::unstable, {}};
   cell.predicted = prediction(cell.radius, n_steps);
   cell.energy = largest_energy(mapped, integrator, dt, n_steps);
   if (!(cell.energy <= energy_bound)) return cell;

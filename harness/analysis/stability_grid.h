@@ -9,7 +9,8 @@
 // Free vibration: from rest, every elastic mode with the same energy. Exact motion only loses energy. What a stable
 // scheme makes of it may swing, at x = omega h: central differences down to 1 - x^2/4 and never up, as
 // E_n = cos^2(n theta) + (1 - x^2/4) sin^2(n theta); symplectic Euler, which keeps v^2 + omega^2 u^2 - h omega^2 u v,
-// up to (1 + x/2)/(1 - x/2), below 1e4 but for the last fiftieth of a per cent before the limit.
+// up to (1 + x/2)/(1 - x/2), below 1e4 but for the last fiftieth of a per cent before the limit; average acceleration
+// keeps it (Hairer, Lubich & Wanner 2006, sect. I.1; Hughes 1987, sect. 9.1).
 #pragma once
 
 #include <optional>
@@ -41,6 +42,7 @@ struct StepCell {
   double radius;  // [-] rho; NaN where no scheme is known to step as the integrator does
   long n_steps;   // of free vibration
   double energy;  // [-] largest E(t)/E(0); infinity: no number
+  double bound;   // [-] of it, by the above, without damping; NaN past the limit, and of other schemes
   double error;   // [-] NaN where unstable
   StepClass found;
   std::optional<StepClass> predicted;  // whether unstable, else stable; none: unknown, or growth too slow to be seen

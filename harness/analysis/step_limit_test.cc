@@ -3,11 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
+#include "cases/scene/read_toml.h"
 #include "harness/analysis/oscillators_test.h"
 #include "harness/catalogue.h"
+#include "harness/study/truth.h"
 #include "mechanics/algebra/box_test_system.h"
 #include "mechanics/algebra/dense_eigen.h"
+#include "mechanics/algebra/worse_test.h"
+#include "mechanics/verified_test.h"
 
 namespace mb {
 namespace {
@@ -119,6 +124,27 @@ TEST(GrowthRun, TellsSchemesApart) {
       growth_run(system, {omega(2), zeta, e, e}, lagged, default_catalogue().integrator("central-difference"),
                  1.01 * stable_omega_h(lagged, zeta) / omega(2), 1000);
   EXPECT_GT(std::abs(run.observed / run.theory - 1), 0.5);
+}
+
+// Where cells are slivers or moved at random: the limit of a mesh is that of its highest mode.
+TEST(HighestModeVerification, OfHardMeshesIsThatOfADenseSolver) {
+  double off = 0;
+  for (const char* name : {"sliver-mesh", "distorted-mesh"}) {
+    const std::filesystem::path file = std::filesystem::path(MB_SOURCE_DIR) / "cases/hard" / (std::string(name) + ".toml");
+    const auto scene = std::make_shared<const Scene>(read_toml(file, default_catalogue().vocabulary()));
+    const Model model = make_model(scene, own_meshes(*scene));
+    const System system = with_consistent_mass(model.bodies.front().full->system());
+    const double lambda = generalized_eigenvalues(MatrixXd(system.K), MatrixXd(system.M)).value().maxCoeff();
+    off = worse(off, std::abs(highest_mode(system).omega / std::sqrt(lambda) - 1));
+  }
+  testing::expect_verified({.quantity = "highest frequency of a mesh of slivers and of one whose corners are moved at "
+                                        "random, relative, the worst",
+                            .reference = "second route",
+                            .source = "a dense solver of the whole matrix",
+                            .uncertainty = "rounding",
+                            .tolerance = 1e-12,
+                            .why = "The eigenvalue is off by the square of the tolerance of Lanczos, 1e-7."},
+                           off);
 }
 
 TEST(HighestMode, IsThatOfADenseSolver) {

@@ -60,7 +60,8 @@ Finding limits_table() {
       "the limit is the least over the modes. Formula: theory mode by mode, likewise the least. Damping ratios "
       "are those of the system's damping operator. Full order: the highest mode of the mesh and the lowest "
       "ones that were solved for, with the consistent and with the lumped mass. A limit of 0 means that every "
-      "step is unstable. Rigid modes drift as they should and set no limit.",
+      "step is unstable. Over full order: the limit over that of the mesh with its consistent mass. Rigid modes drift as "
+      "they should and set no limit.",
       {{"system", ""},
        {"modes r", ""},
        {"scheme", ""},
@@ -71,7 +72,8 @@ Finding limits_table() {
        {"dt formula", "s"},
        {"dt measured", "s"},
        {"measured / formula", "-"},
-       {"omega deciding", "rad/s"}});
+       {"omega deciding", "rad/s"},
+       {"over full order", "-"}});
 }
 
 Finding runs_table() {
@@ -117,7 +119,8 @@ const Integrator* find_integrator(const AnalysisContext& context, const std::str
   return nullptr;
 }
 
-std::vector<FindingCell> limit_row(const Subject& s, const Scheme& scheme, const StepLimit& limit) {
+// whole: the limit of the mesh
+std::vector<FindingCell> limit_row(const Subject& s, const Scheme& scheme, const StepLimit& limit, double whole) {
   const Index last = s.omega.size() - 1;
   const double formula = formula_limit(scheme, s.omega, s.zeta);
   const double ratio = formula > 0 && std::isfinite(formula) ? limit.dt / formula : nan;
@@ -131,7 +134,8 @@ std::vector<FindingCell> limit_row(const Subject& s, const Scheme& scheme, const
           formula,
           limit.dt,
           ratio,
-          s.omega(limit.deciding)};
+          s.omega(limit.deciding),
+          whole > 0 && std::isfinite(whole) ? limit.dt / whole : nan};
 }
 
 void add_runs(Finding& runs, const Subject& s, const Scheme& scheme, const Integrator& integrator,
@@ -175,12 +179,14 @@ std::vector<Finding> step_limits(const AnalysisContext& context) {
   if (body.system.lumped_mass.rows() > 0)
     subjects.push_back(full_subject("full, lumped mass", body, body.system, with_lumped_mass(body.system)));
 
+  const Subject& mesh = subjects.at(subjects.size() - (body.system.lumped_mass.rows() > 0 ? 2 : 1));
   Finding limits = limits_table(), runs = runs_table(), exponents = exponents_table();
   for (const Scheme& scheme : explicit_schemes()) {
     std::vector<double> omega, dt;
+    const double whole = measured_limit(scheme, mesh.omega, mesh.zeta).dt;
     for (const Subject& subject : subjects) {
       const StepLimit limit = measured_limit(scheme, subject.omega, subject.zeta);
-      limits.rows.push_back(limit_row(subject, scheme, limit));
+      limits.rows.push_back(limit_row(subject, scheme, limit, whole));
       const Integrator* integrator = find_integrator(context, scheme.integrator);
       if (integrator && steps_as(scheme, subject.system)) add_runs(runs, subject, scheme, *integrator, limit);
       if (std::isnan(subject.r)) continue;

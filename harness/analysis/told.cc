@@ -67,7 +67,7 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
   }
   for (Finding& finding : findings) {
     bar_fits(finding);
-    finding.footing = footing_of(finding.name);
+    finding.footing = footing_of(finding);
   }
   return findings;
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 
 #include "harness/analysis/footings.h"
 #include "harness/analysis/modal_body.h"
@@ -52,12 +54,21 @@ TEST(AddBars, LargerOnesOfTheTableItselfStay) {
 }
 
 TEST(Footings, AreStatedOfATableOrItIsNamed) {
-  EXPECT_EQ(footing_of("multiplets").kind, "second route");
-  for (const char* table : {"budget", "stability-summary", "probe-extremes"}) {
-    const Footing footing = footing_of(table);
-    EXPECT_FALSE(footing.reference.empty() || footing.kind.empty() || footing.uncertainty.empty()) << table;
+  const auto named = [](const char* analysis, const char* name) { return table(analysis, name, "", "", {}); };
+  EXPECT_EQ(footing_of(named("multiplets", "multiplets")).kind, "second route");
+  for (const auto& [name, analysis] : analyses_of_tables()) {
+    const Footing footing = footing_of(named(analysis.c_str(), name.c_str()));
+    EXPECT_FALSE(footing.reference.empty() || footing.kind.empty() || footing.uncertainty.empty()) << name;
   }
-  EXPECT_THROW(footing_of("surprise"), std::out_of_range);
+  EXPECT_THROW(footing_of(named("multiplets", "surprise")), std::out_of_range);
+  EXPECT_THROW(footing_of(named("budget", "multiplets")), std::out_of_range);
+}
+
+TEST(Footings, AreOfEveryAnalysisThatThereIs) {
+  std::set<std::string> makers, analyses;
+  for (const auto& [name, maker] : analyses_of_tables()) makers.insert(maker);
+  for (const Analysis& analysis : analysis_catalogue()) analyses.insert(analysis.name);
+  EXPECT_EQ(makers, analyses);
 }
 
 TEST(BarFits, TakeTheStandardErrorBesideThem) {

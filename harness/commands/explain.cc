@@ -65,9 +65,9 @@ std::vector<Meaning> vocabulary(const Catalogue& catalogue) {
 std::string limit(const Check& check) {
   const std::string what =
       check.table.empty()
-          ? fmt::format("{} r={} {}{}{} against {}", check.method, check.modes, check.rotation,
-                        check.rotation.empty() ? "" : " ", check.metric, check.truth)
+          ? runs_of(check) + " " + (check.status.empty() ? check.metric + " against " + check.truth : "ends")
           : fmt::format("table {}, column {}{}", check.table, check.column, check.row.empty() ? "" : ", " + check.row);
+  if (!check.status.empty()) return what + " " + check.status;
   return fmt::format("{} {} {:g}", what, check.at_most ? "at most" : "at least",
                      check.at_most ? *check.at_most : *check.at_least);
 }

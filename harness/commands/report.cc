@@ -60,7 +60,7 @@ Known scenes_in(const Store& store, const ReportOptions& options, const Catalogu
 
 void print_left_out(const StoredResults& stored, bool quiet, std::ostream& err) {
   for (const RefusedLine& line : stored.refused)  // is wrong: said in any case
-    fmt::print(err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
+    fmt::print(err, "left out: {}\n", to_string(line));
   if (quiet) return;
   if (stored.n_other > 0) fmt::print(err, "{} records of other settings or builds left out\n", stored.n_other);
   if (stored.n_other_tables > 0)

@@ -71,6 +71,20 @@ std::vector<PlannedJob> plan(const Scenes& scenes, const Catalogue& catalogue, c
   return all;
 }
 
+std::string asked(const Check& check) {
+  if (!check.table.empty()) return subject_of(check);
+  return runs_of(check) + " · " + subject_of(check) + (check.truth.empty() ? "" : " against " + check.truth);
+}
+std::string found(const CheckResult& result) {
+  if (!result.measured || !result.check.status.empty()) return one_line(result.status, 1000);
+  const std::string bar = result.error_bar > 0 ? fmt::format(" +- {:.1e}", result.error_bar) : "";
+  return fmt::format("{:.4g}{}", result.value, bar);
+}
+std::string bound_in_words(const Check& check) {
+  if (!check.status.empty()) return check.status;
+  return check.at_most ? fmt::format("at most {}", *check.at_most) : fmt::format("at least {}", check.at_least.value());
+}
+
 // Prints every check of the scenes with what was measured; returns whether all hold. Where --set chose what ran, a
 // check of what did not run is no failure: how many are not asked is said.
 bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored, bool all_ran, const Console& console) {
@@ -83,20 +97,12 @@ bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored,
       ++n_not_asked;
       continue;
     }
-    const bool upper = check.at_most.has_value();
-    const std::string of =
-        check.table.empty() ? fmt::format("{} r={}{}{} · {} against {}", check.method, check.modes,
-                                          check.rotation.empty() ? "" : " ", check.rotation, check.metric, check.truth)
-                            : subject_of(check);
     const bool open = result.measured && !result.decidable;  // no pass: what is not known does not hold
-    const std::string bar = result.error_bar > 0 ? fmt::format(" +- {:.1e}", result.error_bar) : "";
-    fmt::print(console.out, "{:<5} {} · {} = {} (must be {} {}){}\n",
+    fmt::print(console.out, "{:<5} {} · {} = {} (must be {}){}\n",
                result.holds ? "holds"
                : open       ? "OPEN"
                             : "FAILS",
-               result.case_name, of,
-               result.measured ? fmt::format("{:.4g}{}", result.value, bar) : one_line(result.status, 1000),
-               upper ? "at most" : "at least", upper ? *check.at_most : *check.at_least,
+               result.case_name, asked(check), found(result), bound_in_words(check),
                open ? ": within the error bar, not decidable" : "");
     all = all && result.holds;
   }
@@ -233,7 +239,7 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
   }
   const Outcome outcome = run_all(scenes, catalogue, store, how, console);
   for (const RefusedLine& line : store.rebuild_results())
-    fmt::print(console.err, "{}:{}: left out: {}\n", line.file.string(), line.line, line.reason);
+    fmt::print(console.err, "left out: {}\n", to_string(line));
   if (outcome.interrupted) {
     const char* const then = options.again ? "To start over, as --again says" : "To go on";
     fmt::print(console.err, "interrupted; what is finished is kept. {}:\n  {}\n", then, command_again(options));

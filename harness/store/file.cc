@@ -94,7 +94,7 @@ std::pair<int, std::string> open_beside(const std::filesystem::path& file) {
 }  // namespace
 
 StoreError::StoreError(std::filesystem::path file, const std::string& fault)
-    : std::runtime_error(file.string() + ": " + fault), file_(std::move(file)) {}
+    : std::runtime_error(file.string() + ": " + fault), file_(std::move(file)), fault_(fault) {}
 
 void write_file(const std::filesystem::path& file, std::string_view content,
                 const std::function<void()>& before_rename) {

@@ -17,9 +17,11 @@ class StoreError : public std::runtime_error {
  public:
   StoreError(std::filesystem::path file, const std::string& fault);
   const std::filesystem::path& file() const { return file_; }
+  const std::string& fault() const { return fault_; }
 
  private:
   std::filesystem::path file_;
+  std::string fault_;
 };
 
 // Makes the folder where it is missing; permissions are those that the umask leaves. Throws StoreError with the

@@ -1,5 +1,7 @@
 #include "harness/store/run_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -19,7 +21,10 @@ RecordLines records_in(std::string_view bytes, const std::filesystem::path& file
   const bool is_empty = lines.records.empty() && lines.refused.empty();
   if (is_empty && file.parent_path().filename() == "records") lines.refused.push_back({file, 0, "holds no record"});
   const auto n_strangers = std::erase_if(lines.records, [&](const Record& r) { return r.run != file.stem(); });
-  lines.refused.insert(lines.refused.begin(), n_strangers, {file, 0, "holds a record of another run"});
+  if (n_strangers > 0) {
+    const std::string held = n_strangers == 1 ? "a record" : fmt::format("{} records", n_strangers);
+    lines.refused.insert(lines.refused.begin(), {file, 0, fmt::format("holds {} of another run", held)});
+  }
   return lines;
 }
 

@@ -41,7 +41,7 @@ RecordLines records_of(const std::filesystem::path& path) {
   try {
     return records_in(read_file(path, largest), path);
   } catch (const StoreError& fault) {
-    return {{}, {{path, 0, fault.what()}}};
+    return {{}, {{path, 0, fault.fault()}}};
   }
 }
 
@@ -49,6 +49,8 @@ Store::Findings read_findings(const std::vector<std::filesystem::path>& files) {
   Store::Findings all;
   for (const std::filesystem::path& path : files) try {
       std::ranges::move(findings_in(read_file(path, largest), path), std::back_inserter(all.findings));
+    } catch (const StoreError& error) {
+      all.refused.push_back({path, 0, error.fault()});
     } catch (const std::exception& error) {
       all.refused.push_back({path, 0, error.what()});
     }

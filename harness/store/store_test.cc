@@ -12,6 +12,7 @@
 namespace mb {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -98,7 +99,21 @@ TEST(Store, DamagedRecordsAreNamedAndLeftOut) {
   EXPECT_THAT(lines.refused[0].reason, HasSubstr("another run"));
   EXPECT_EQ(lines.refused[1].line, 2);
   EXPECT_EQ(lines.refused[1].file.filename(), high + ".jsonl");
+  EXPECT_THAT(to_string(lines.refused[0]), EndsWith(high + ".jsonl: holds a record of another run"));
+  EXPECT_THAT(to_string(lines.refused[1]), HasSubstr(high + ".jsonl:2: "));
   EXPECT_EQ(store.rebuild_results().size(), 2u);
+}
+
+TEST(Store, OneLineTellsOfAFileThatIsNotItsOwn) {
+  const ScratchFolder folder;
+  const Store store(folder.path());
+  store.write_records(low, {record(low, 1), record(low, 2)});
+  std::filesystem::rename(folder / "records" / (low + ".jsonl"), folder / "records" / (high + ".jsonl"));
+  std::filesystem::create_directory(folder / "records" / (low + ".jsonl"));
+  const RecordLines lines = store.read_all_records();
+  ASSERT_EQ(lines.refused.size(), 2u);
+  EXPECT_EQ(lines.refused[0].reason, "is not a regular file");
+  EXPECT_EQ(lines.refused[1].reason, "holds 2 records of another run");
 }
 
 TEST(Store, TimesStandBesideMarksAndGoWithThem) {

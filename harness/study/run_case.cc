@@ -98,7 +98,7 @@ class CaseRun {
       const StoredJob found = stored(job, store_);
       const bool done = !options_.again && found.is_complete(options_.timed);
       for (const RefusedLine& line : done ? std::vector<RefusedLine>() : found.damaged)
-        progress_(fmt::format("{}:{}: {}; computed again", line.file.string(), line.line, line.reason));
+        progress_(to_string(line) + "; computed again");
       if (!done) todo.push_back(job);
       outcome_.n_stored += done;
       outcome_.n_failed += done && found.failed;

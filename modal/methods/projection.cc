@@ -37,7 +37,7 @@ ModalDamping project(const ModalDamping& damping, const MatrixXd& Phi) {
   const MatrixXd W = Phi.transpose() * damping.W;
   const MatrixXd C = W * damping.d.asDiagonal() * W.transpose();
   if (decouples(C)) return decoupled(C, damping.d.cwiseAbs().maxCoeff());  // columns of W: at most of unit length
-  std::vector<Index> seen;  // modes of W of which Phi sees anything
+  std::vector<Index> seen;                                                 // modes of W of which Phi sees anything
   for (Index k = 0; k < W.cols(); ++k)
     if (W.col(k).norm() > rounding) seen.push_back(k);
   return {W(Eigen::all, seen), damping.d(seen)};
