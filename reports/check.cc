@@ -55,15 +55,21 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<cons
   return worst;
 }
 
-CheckResult ended(const Scene& scene, const Check& check, const std::vector<const Record*>& answers) {
+CheckResult ended(const Scene& scene, const Check& check, const std::vector<std::string>& statuses) {
   CheckResult result = blank(scene, check, "no record");
-  for (const Record* answer : answers) {
-    result.holds = answer->status == check.status;
-    result.status = answer->status;
+  for (const std::string& status : statuses) {
+    result.holds = status == check.status;
+    result.status = status;
     result.measured = true;
     if (!result.holds) break;
   }
   return result;
+}
+
+std::vector<std::string> statuses_of(const std::vector<const Record*>& answers) {
+  std::vector<std::string> all;
+  for (const Record* answer : answers) all.push_back(answer->status);
+  return all;
 }
 
 // Rows are asked for by their first cell: a text, or a number as a person writes it.
@@ -82,6 +88,12 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<Find
     if (!column) return blank(scene, check, "no such column");
     for (std::size_t i = 0; i < finding.rows.size(); ++i) {
       if (finding.rows[i].empty() || !is_asked(check, finding.rows[i][0])) continue;
+      if (!check.status.empty()) {
+        worst = ended(scene, check, {text_at(finding, i, check.column)});
+        worst.footing = finding.footing;
+        if (!worst.holds) return worst;
+        continue;
+      }
       const double value = number_at(finding, i, check.column);
       if (std::isnan(value)) return blank(scene, check, "not a number in row " + std::to_string(i + 1));
       const double bar = bar_at(finding, i, *column);
@@ -138,7 +150,8 @@ std::vector<CheckResult> check_results(const std::vector<Scene>& scenes, const s
         const std::vector<const Record*> marks = marks_asked(check, *run);
         answers.insert(answers.end(), marks.begin(), marks.end());
       }
-      results.push_back(check.status.empty() ? judge(scene, check, answers) : ended(scene, check, answers));
+      results.push_back(check.status.empty() ? judge(scene, check, answers)
+                                             : ended(scene, check, statuses_of(answers)));
     }
   }
   return results;

@@ -121,6 +121,26 @@ TEST(CheckResults, OfHowRunsEndHoldWhereAllMarksHaveThatStatus) {
   EXPECT_FALSE(result_of(check, {}).holds);
 }
 
+TEST(CheckResults, OfATablesStatusesHoldWhereAllRowsSayIt) {
+  Finding finding = synthetic::finding("cylinder", "long-run", "long-run", {{"integrator", ""}, {"status", ""}});
+  const Scene scene = synthetic::scene();
+  finding.case_name = scene.name;
+  finding.profile = scene.profile;
+  finding.rows = {{"exact", "ok"}, {"explicit-euler", "not_finite"}};
+  Check check{};
+  check.table = "long-run";
+  check.column = "status";
+  check.status = "not_finite";
+  check.why = "why";
+  const auto result = [&] { return check_results({scene_with(check)}, {}, {finding}).at(0); };
+  EXPECT_FALSE(result().holds);
+  EXPECT_EQ(result().status, "ok");
+  check.row = "explicit-euler";
+  EXPECT_TRUE(result().holds);
+  check.row = "newmark";
+  EXPECT_EQ(result().status, "no record");
+}
+
 TEST(CheckResults, FailsWhereEvenTheNearestValueOfTheBarIsOutside) {
   for (const CheckResult& result :
        {result_of(at_most(0.02), answer(0.022, 1e-3)), result_of(at_least(0.02), answer(0.018, 1e-3)),

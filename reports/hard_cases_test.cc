@@ -76,7 +76,7 @@ TEST(VerificationTable, NamesReferenceUncertaintyToleranceReasonAndResult) {
   const Sheet table = verification_table(evaluate(input(0.001, 1e-4)));
   ASSERT_EQ(table.rows.size(), 2u);
   const auto& row = table.rows[1];
-  EXPECT_EQ(row[2].text, "eigenmodes r = 8: displacement-error");
+  EXPECT_EQ(row[2].text, "eigenmodes r=8: displacement-error");
   EXPECT_NE(row[4].text.find("rtol 1e-05/100"), std::string::npos) << row[4].text;
   EXPECT_EQ(row[5].text, "second route");
   EXPECT_EQ(row[6].text, "1.0e-4");

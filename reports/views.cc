@@ -150,8 +150,9 @@ Sheet checks_table(const Evaluation& evaluation) {
                    {"why", ""}};
   for (const CheckResult& result : evaluation.checks) {
     table.rows.push_back({text_cell(result.case_name), text_cell(result.profile), text_cell(result.check.truth),
-                          text_cell(runs_of(result.check)), text_cell(subject_of(result.check)), measured_cell(result), bar_cell(result),
-                          text_cell(bound(result.check)), text_cell(verdict(result)), text_cell(result.check.why)});
+                          text_cell(runs_of(result.check)), text_cell(subject_of(result.check)), measured_cell(result),
+                          bar_cell(result), text_cell(bound(result.check)), text_cell(verdict(result)),
+                          text_cell(result.check.why)});
   }
   return table;
 }

@@ -93,8 +93,7 @@ std::optional<bool> read_contender(Section& section, const Vocabulary& vocabular
     check.rotation =
         section.choice("rotation", {{"rigid", "coupled", "unstiffened"}, "rotation", "rotations"}).value_or("");
   if (section.has("integrator"))
-    check.integrator =
-        section.choice("integrator", {vocabulary.integrators, "integrator", "integrators"}).value_or("");
+    check.integrator = section.choice("integrator", {vocabulary.integrators, "integrator", "integrators"}).value_or("");
   if (section.has("time_step")) check.time_step = section.number("time_step", {1e-15, 1e5, "s"});
   if (section.has("time_step") && !section.has("integrator"))
     section.error("time_step", "'time_step' of a check needs 'integrator', whose step it is");
@@ -104,26 +103,26 @@ std::optional<bool> read_contender(Section& section, const Vocabulary& vocabular
   return has_modes;
 }
 
+// How runs end, or what stands in a column, in place of the keys named.
+bool read_status(Section& section, std::initializer_list<const char*> keys, Check& check) {
+  for (const char* key : keys) {
+    if (!section.has(key)) continue;
+    section.findings().error(
+        section.where_key(key),
+        fmt::format("{} has both 'status' and '{}': a check is of a number or of how runs end", section.title(), key),
+        "of a number: at_most or at_least, of runs with metric and truth; of how runs end: status");
+  }
+  check.status = section.choice("status", {{"unstable", "not_finite"}, "status", "statuses"}).value_or("");
+  return !check.status.empty();
+}
+
 // What of them: a metric against a truth, or how they end.
 bool read_mark(Section& section, const CheckContext& context, const Vocabulary& vocabulary, Check& check) {
-  if (section.has("status")) {
-    for (const char* key : {"metric", "truth", "at_most", "at_least"}) {
-      if (!section.has(key)) continue;
-      section.findings().error(
-          section.where_key(key),
-          fmt::format("{} has both 'status' and '{}': a check is of a number or of how runs end", section.title(), key),
-          "of a number: metric, truth, at_most or at_least; of how runs end: status");
-    }
-    check.status = section.choice("status", {{"unstable"}, "status", "statuses"}).value_or("");
-    return !check.status.empty();
-  }
+  if (section.has("status")) return read_status(section, {"metric", "truth", "at_most", "at_least"}, check);
   const auto metric = section.choice("metric", {vocabulary.metrics, "metric", "metrics"});
   const auto truth = section.choice("truth", {{"finer", "same_mesh", "exact"}, "truth", "truths"});
   if (truth == "exact" && !context.has_exact) {
     section.error("truth", "there is no exact truth: [truth] has no key 'exact', which names a closed form");
-  }
-  if (truth == "same_mesh" && check.method == full_order) {
-    section.error("truth", "full order is not held to 'same_mesh': it has meshes of its own");
   }
   if (!metric || !truth) return false;
   check.metric = *metric;
@@ -155,14 +154,12 @@ void check_is_made(Section& section, const std::string& table, const CheckContex
 
 // Of a table that an analysis makes: every row of a column, or those that begin with `row`.
 bool read_table_check(Section& section, const CheckContext& context, const Vocabulary& vocabulary, Check& check) {
-  for (const char* key :
-       {"method", "metric", "truth", "modes", "rotation", "integrator", "time_step", "status"}) {
+  for (const char* key : {"method", "metric", "truth", "modes", "rotation", "integrator", "time_step"}) {
     if (!section.has(key)) continue;
     section.findings().error(
         section.where_key(key),
         fmt::format("{} has both 'table' and '{}': a check is of a table or of a run", section.title(), key),
-        "of a table: table, column, row; of a run: method, modes, rotation, integrator, time_step, and metric and truth "
-        "or status");
+        "of a table: table, column, row; of a run: method, modes, rotation, integrator, time_step, metric, truth");
   }
   const auto table = section.name("table");
   const auto column = section.text("column", most_label);
@@ -172,7 +169,8 @@ bool read_table_check(Section& section, const CheckContext& context, const Vocab
   } else if (table) {
     check_is_made(section, *table, context, vocabulary);
   }
-  if (!table || !column) return false;
+  const bool is_whole = !section.has("status") || read_status(section, {"at_most", "at_least"}, check);
+  if (!table || !column || !is_whole) return false;
   check.table = *table;
   check.column = *column;
   return true;
@@ -187,7 +185,7 @@ std::optional<Check> read_check(Section section, const CheckContext& context, co
   bool whole =
       of_table ? read_table_check(section, context, vocabulary, check) : read_run(section, context, vocabulary, check);
   const auto why = section.prose("why", 1000);
-  if (of_table || !section.has("status")) read_limit(section, of_table ? cell_range : mark_range, check);
+  if (!section.has("status")) read_limit(section, of_table ? cell_range : mark_range, check);
   section.finish();
   if (!whole || !why) return std::nullopt;
   check.why = *why;

@@ -56,8 +56,13 @@ Finding kept(const Modes& modes, const VectorXd& lambda, const std::vector<int>&
 Finding answers_table() {
   return table("multiplets", "multiplets-answers", "Whether answers depend on the basis",
                "The scene's motion in closed form, in the modes of either solver, each of which has a basis of its own "
-               "within every multiplet: difference of the deformations over all samples, in the M norm, relative.",
+               "within every multiplet: difference of the deformations over all samples, in the M norm, over those in "
+               "the most modes.",
                {{"modes kept", ""}, {"difference", "-"}});
+}
+
+Modes head(const Modes& modes, Index n) {
+  return {modes.n_rigid, modes.omega.head(n), modes.Phi.leftCols(n), {}, modes.lambda_max};
 }
 
 // Deformations at the scene's samples, n x n_t.
@@ -67,26 +72,22 @@ MatrixXd motion(const System& system, const Modes& modes, const Scene& scene) {
   return modes.Phi.rightCols(mapped.exact.rows()) * mapped.exact;
 }
 
-double difference(const SparseMatrix& M, const MatrixXd& a, const MatrixXd& b) {
-  const MatrixXd off = a - b;
-  return std::sqrt(off.cwiseProduct(M * off).sum() / b.cwiseProduct(M * b).sum());
-}
+double norm(const SparseMatrix& M, const MatrixXd& u) { return std::sqrt(u.cwiseProduct(M * u).sum()); }
 
 Finding answers(const System& system, const Modes& modes, const ModalForm& dense, const Scene& scene,
                 const std::vector<int>& asked) {
   Finding found = answers_table();
   if (!scene.contacts.empty()) return found;  // of loads alone
+  const Modes all{modes.n_rigid, dense.lambda.cwiseMax(0).cwiseSqrt(), dense.Phi, {}, modes.lambda_max};
+  const double whole = norm(system.M, motion(system, head(all, leading(modes, asked.back()).size()), scene));
   Index before = 0;
   for (const int r : asked) {
     const Modes kept = leading(modes, r);
     const Index n = kept.size();
     if (n == modes.n_rigid || n == before) continue;
     before = n;
-    Modes other = kept;
-    other.omega = dense.lambda.head(n).cwiseMax(0).cwiseSqrt();
-    other.Phi = dense.Phi.leftCols(n);
-    found.rows.push_back(
-        {count(n - modes.n_rigid), difference(system.M, motion(system, kept, scene), motion(system, other, scene))});
+    const double off = norm(system.M, motion(system, kept, scene) - motion(system, head(all, n), scene));
+    found.rows.push_back({count(n - modes.n_rigid), off / whole});
   }
   return found;
 }
@@ -108,8 +109,7 @@ std::vector<Finding> multiplets(const AnalysisContext& context) {
     found.rows.push_back({count(each.multiplet.first - n_rigid + 1), count(each.multiplet.n), each.omega / (2 * pi),
                           each.gap, each.difference, each.distance, each.distance * each.gap});
   const std::vector<int> asked = mode_counts(context);
-  return {found, kept(body.modes, dense.lambda, asked),
-          answers(body.system, body.modes, dense, *context.scene, asked)};
+  return {found, kept(body.modes, dense.lambda, asked), answers(body.system, body.modes, dense, *context.scene, asked)};
 }
 
 }  // namespace mb

@@ -50,24 +50,25 @@ Finding map_table() {
 }
 
 Finding summary_table() {
-  return table("stability-map", "stability-summary", "Whether steps do what the amplification says, and converge",
-               "Cells of the map by what was found, all of an integrator and those on full order. Order: exponent of "
-               "the error over the steps of the largest mode count, or of full order, whose error lies between 1e-9 and "
-               "a tenth. A load that jumps within a step makes every scheme one of first order. Largest energy: over "
-               "all cells and steps, of that at the start of free vibration. Energy over its bound: the same of cells "
-               "within their limit, over what theory has without damping, 1 of average acceleration and central "
-               "differences, (1 + x/2)/(1 - x/2) of symplectic Euler, x the step times the highest frequency.",
-               {{"integrator", ""},
-                {"cells", ""},
-                {"stable", ""},
-                {"inaccurate", ""},
-                {"unstable", ""},
-                {"not as predicted", ""},
-                {"too slow to be seen", ""},
-                {"order", "-"},
-                {"standard error", "-"},
-                {"largest energy", "-"},
-                {"energy over its bound", "-"}});
+  return table(
+      "stability-map", "stability-summary", "Whether steps do what the amplification says, and converge",
+      "Cells of the map by what was found, all of an integrator and those on full order. Order: exponent of "
+      "the error over the steps of the largest mode count, or of full order, whose error lies between 1e-9 and "
+      "a tenth. A load that jumps within a step makes every scheme one of first order. Largest energy: over "
+      "all cells and steps, of that at the start of free vibration. Energy over its bound: the same of cells "
+      "within their limit, over what theory has without damping, 1 of average acceleration and central "
+      "differences, (1 + x/2)/(1 - x/2) of symplectic Euler, x the step times the highest frequency.",
+      {{"integrator", ""},
+       {"cells", ""},
+       {"stable", ""},
+       {"inaccurate", ""},
+       {"unstable", ""},
+       {"not as predicted", ""},
+       {"too slow to be seen", ""},
+       {"order", "-"},
+       {"standard error", "-"},
+       {"largest energy", "-"},
+       {"energy over its bound", "-"}});
 }
 
 struct Mapped {

@@ -130,7 +130,8 @@ TEST(GrowthRun, TellsSchemesApart) {
 TEST(HighestModeVerification, OfHardMeshesIsThatOfADenseSolver) {
   double off = 0;
   for (const char* name : {"sliver-mesh", "distorted-mesh"}) {
-    const std::filesystem::path file = std::filesystem::path(MB_SOURCE_DIR) / "cases/hard" / (std::string(name) + ".toml");
+    const std::filesystem::path file =
+        std::filesystem::path(MB_SOURCE_DIR) / "cases/hard" / (std::string(name) + ".toml");
     const auto scene = std::make_shared<const Scene>(read_toml(file, default_catalogue().vocabulary()));
     const Model model = make_model(scene, own_meshes(*scene));
     const System system = with_consistent_mass(model.bodies.front().full->system());

@@ -60,7 +60,8 @@ Finding limits_table() {
       "the limit is the least over the modes. Formula: theory mode by mode, likewise the least. Damping ratios "
       "are those of the system's damping operator. Full order: the highest mode of the mesh and the lowest "
       "ones that were solved for, with the consistent and with the lumped mass. A limit of 0 means that every "
-      "step is unstable. Over full order: the limit over that of the mesh with its consistent mass. Rigid modes drift as "
+      "step is unstable. Over full order: the limit over that of the mesh with its consistent mass. Rigid modes drift "
+      "as "
       "they should and set no limit.",
       {{"system", ""},
        {"modes r", ""},

@@ -238,8 +238,7 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
     how.again = false;
   }
   const Outcome outcome = run_all(scenes, catalogue, store, how, console);
-  for (const RefusedLine& line : store.rebuild_results())
-    fmt::print(console.err, "left out: {}\n", to_string(line));
+  for (const RefusedLine& line : store.rebuild_results()) fmt::print(console.err, "left out: {}\n", to_string(line));
   if (outcome.interrupted) {
     const char* const then = options.again ? "To start over, as --again says" : "To go on";
     fmt::print(console.err, "interrupted; what is finished is kept. {}:\n  {}\n", then, command_again(options));

@@ -1,6 +1,6 @@
 #include "reference/sundials/sundials.h"
-#include "mechanics/algebra/fitted_order_test.h"
 #include "mechanics/algebra/dense_eigen.h"
+#include "mechanics/algebra/fitted_order_test.h"
 
 #include <gtest/gtest.h>
 
