@@ -16,5 +16,5 @@ if(BUILD_TESTING)
   # ./run on other systems, without root, without network: with stubs of all that it calls.
   add_test(NAME run-script COMMAND ${PROJECT_SOURCE_DIR}/cmake/run_test)
   add_test(NAME fuzz-script COMMAND ${PROJECT_SOURCE_DIR}/cmake/fuzz_test)
-  set_tests_properties(run-script fuzz-script PROPERTIES LABELS unit TIMEOUT 60)
+  set_tests_properties(run-script fuzz-script PROPERTIES LABELS unit TIMEOUT 300)
 endif()
