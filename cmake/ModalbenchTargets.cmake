@@ -35,6 +35,7 @@ if(MODALBENCH_SANITIZE)
   # reads.
   target_compile_options(mb_warnings INTERFACE -fsanitize=${MODALBENCH_SANITIZE} -fno-omit-frame-pointer
     -fno-sanitize=null,alignment,vptr,object-size,pointer-overflow -fno-sanitize-recover=all)
+  target_compile_definitions(mb_warnings INTERFACE MB_SANITIZED)
   add_link_options(-fsanitize=${MODALBENCH_SANITIZE})
 endif()
 

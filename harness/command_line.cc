@@ -8,6 +8,7 @@
 #include <array>
 #include <csignal>
 #include <iostream>
+#include <sstream>
 
 #include "cases/scene/printable.h"
 #include "harness/commands/bytes.h"
@@ -234,6 +235,17 @@ int guarded(const Action& action, const std::string& command, const Console& con
   }
 }
 
+// Help, or what is wrong with the words given, line by line without what would not print.
+int told(CLI::App& app, const CLI::ParseError& error, const Console& console) {
+  std::ostringstream out, err;
+  const int code = app.exit(error, out, err) == 0 ? 0 : 2;
+  for (const auto& [text, stream] : {std::pair(out.str(), &console.out), std::pair(err.str(), &console.err)}) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) fmt::print(*stream, "{}\n", printable(line, line.size()));
+  }
+  return code;
+}
+
 // The exit code, once what was printed has arrived: a full disk or a closed pipe must not pass for success.
 int delivered(int code, const Console& console) {
   console.out.flush();
@@ -260,10 +272,11 @@ int harness_main(int argc, char** argv, const Catalogue& catalogue) {
   add_doctor(app, action);
   add_clean(app, catalogue, action);
   const Console console{std::cout, std::cerr};
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is an error like a full disk
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return delivered(app.exit(error) == 0 ? 0 : 2, console);
+    return delivered(told(app, error, console), console);
   }
   use_one_thread();  // timed parts run on one thread on both sides
   return delivered(guarded(action, app.get_subcommands().front()->get_name(), console), console);

@@ -106,7 +106,7 @@ std::string large_case(const std::string& cells = "[85, 85, 85]") {
 
 std::function<void()> with_addresses_for(int gigabytes) {
   return [gigabytes] {
-#ifndef __SANITIZE_ADDRESS__  // which takes terabytes of addresses itself
+#ifndef MB_SANITIZED  // which takes terabytes of addresses itself
     const rlim_t space = static_cast<rlim_t>(gigabytes) << 30;
     const rlimit limit{space, space};
     ::setrlimit(RLIMIT_AS, &limit);  // what is allocated all the same fails at once
@@ -129,7 +129,7 @@ TEST(FaultCases, WhatIsBeyondMemoryIsRefusedBeforeItIsAllocated) {
 
 // 24,000 degrees of freedom fit 3 GB, but not with the Lanczos vectors of thousands of modes.
 TEST(FaultCases, ModesBeyondMemoryAreRefusedBeforeTheyAreAllocated) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef MB_SANITIZED
   GTEST_SKIP() << "the address sanitizer takes terabytes of addresses";
 #endif
   const ScratchFolder scratch;
@@ -137,6 +137,23 @@ TEST(FaultCases, ModesBeyondMemoryAreRefusedBeforeTheyAreAllocated) {
   Process process(scratch.path(), {"modes", "case.toml", "--count", "4096"}, with_addresses_for(3));
   EXPECT_EQ(process.code(), 3);
   EXPECT_THAT(process.err(), testing::ContainsRegex(refusal));
+}
+
+// Threads of the BLAS that find no memory to begin with wait for it for good: nobody may wait for them.
+TEST(FaultCases, HardlyAnyMemoryEndsTheProgramAllTheSame) {
+#ifdef MB_SANITIZED
+  GTEST_SKIP() << "the address sanitizer takes terabytes of addresses";
+#endif
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", small_case());
+  for (const rlim_t megabytes : {560, 620, 700}) {
+    Process process(scratch.path(), run, [megabytes] {
+      ::unsetenv("OPENBLAS_NUM_THREADS");
+      const rlimit limit{megabytes << 20, megabytes << 20};
+      ::setrlimit(RLIMIT_AS, &limit);
+    });
+    EXPECT_TRUE(process.ends_within(120)) << megabytes;  // a run takes three seconds
+  }
 }
 
 TEST(FaultCases, ResultsAreTheSameToTheBitAgainAndInSeveralProcesses) {

@@ -41,7 +41,6 @@ class TinyDisk {
 // For a process to be: no file of it grows beyond so many bytes.
 std::function<void()> with_files_up_to(rlim_t size) {
   return [size] {
-    std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{size, RLIM_INFINITY};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   };
@@ -138,6 +137,27 @@ TEST(FullDiskCases, AFolderThatMayNotBeWrittenIsToldWithTheReason) {
   Process report(scratch.path(), {"report", "-o", "shut/report", "-q", "case.toml"}, become_another_user);
   EXPECT_EQ(report.code(), 2);
   EXPECT_THAT(report.err(), ContainsRegex("cannot make shut/report: Permission denied"));
+}
+
+// What is stored answers: nothing has to be written.
+TEST(FullDiskCases, AWholeStoreIsReadWhereNothingMayBeWritten) {
+  const ScratchFolder scratch;
+  fs::permissions(scratch.path(), fs::perms::all);
+  written(scratch / "case.toml", analysed_case());
+  Process computed(scratch.path(), run);
+  ASSERT_EQ(computed.code(), 0) << computed.err();
+  const auto readable = fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec;
+  for (const auto& entry : fs::recursive_directory_iterator(scratch / "results"))
+    fs::permissions(entry.path(), readable);
+  fs::permissions(scratch / "results", readable);
+  Process again(scratch.path(), run, become_another_user);
+  const int code = again.code();
+  if (could_not_become(code)) GTEST_SKIP() << "no other user to be, or the program is not theirs to read";
+  EXPECT_EQ(code, 0) << again.err();
+  EXPECT_EQ(again.out(), computed.out());
+  fs::permissions(scratch / "results", fs::perms::owner_all);
+  for (const auto& entry : fs::recursive_directory_iterator(scratch / "results"))
+    fs::permissions(entry.path(), fs::perms::owner_all);
 }
 
 }  // namespace

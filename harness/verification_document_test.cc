@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,13 @@ TEST(VerificationDocument, SaysThatEveryCheckHolds) {
       }
     }
   EXPECT_GT(n_checks, 60);
+}
+
+TEST(VerificationDocument, IsOfOneCommitAndNothingElse) {
+  const std::regex origin("Made by `modalbench report` from stored results of commit [0-9a-f]{12}; nothing here.*");
+  EXPECT_TRUE(std::ranges::any_of(lines_of_document(), [&](const std::string& line) {
+    return std::regex_match(line, origin);
+  })) << "docs/verification.md is not as cmake/verification-document makes it";
 }
 
 }  // namespace

@@ -8,7 +8,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <system_error>
+
+#include "cases/scene/table_file.h"
 
 namespace mb {
 namespace {
@@ -42,6 +45,11 @@ void move(const fs::path& from, const fs::path& to) {
   if (error) throw PublishError("cannot write " + to.string() + ": " + error.message());
 }
 
+void require_no_folder(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) throw PublishError("cannot write " + path.string() + ": Is a directory");
+}
+
 // Files written aside; gone again, and their disk space with them, if the report is not finished.
 class Aside {
  public:
@@ -72,6 +80,8 @@ void remove_abandoned(const fs::path& directory) {
   for (const fs::path& path : left) fs::remove_all(path, error);
 }
 
+constexpr std::size_t longest_list = 1 << 20;  // [bytes]
+
 // The list may have been edited: nothing outside the report's own folders and kinds of file is ever removed for it.
 bool may_be_ours(const fs::path& path) {
   static const std::set<std::string> folders = {"", "data", "tables", "figures"};
@@ -81,9 +91,9 @@ bool may_be_ours(const fs::path& path) {
 }
 
 std::set<fs::path> files_of_report_in(const fs::path& directory) {
-  std::set<fs::path> files;
-  std::ifstream stream(directory / list_of_files);
-  for (std::string line; std::getline(stream, line);) {
+  std::set<fs::path> files;  // none where the list is no list
+  std::istringstream lines(read_text_file(directory / list_of_files, longest_list).text);
+  for (std::string line; std::getline(lines, line);) {
     if (may_be_ours(line)) files.insert(line);
   }
   return files;
@@ -116,6 +126,7 @@ std::vector<fs::path> publish(std::vector<ReportFile> files, const fs::path& dir
   for (const ReportFile& file : files) make_folder((directory / file.path).parent_path());
   std::set<fs::path> paths;  // of names alike in all that a file name keeps of them, the last one stands
   for (const ReportFile& file : files) paths.insert(file.path);
+  for (const fs::path& path : paths) require_no_folder(directory / path);  // before the first is replaced
   std::vector<fs::path> written;
   for (const fs::path& path : paths) {
     written.push_back(directory / path);

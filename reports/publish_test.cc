@@ -1,6 +1,7 @@
 #include "reports/publish.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <set>
@@ -69,6 +70,34 @@ TEST_F(Publish, AReportThatCannotBeWrittenLeavesTheOneBeforeAsItWas) {
   EXPECT_EQ(read(directory_ / "report.md"), "before");
   EXPECT_EQ(read(directory_ / "data/a.csv"), "before");
   EXPECT_THAT(files(), testing::ElementsAre("data/a.csv", "data/files.txt", "report.md"));  // nothing aside is left
+}
+
+// Found before the first file is replaced.
+TEST_F(Publish, AFolderInTheWayLeavesTheReportBeforeAsItWas) {
+  publish({{"report.md", "before"}, {"verification.md", "before"}}, directory_);
+  fs::remove(directory_ / "verification.md");
+  put("verification.md/mine.txt", "kept");
+  EXPECT_THROW(publish({{"report.md", "after"}, {"verification.md", "after"}}, directory_), PublishError);
+  EXPECT_EQ(read(directory_ / "report.md"), "before");
+}
+
+TEST_F(Publish, AListThatIsNoListIsNone) {
+  publish({{"report.md", "1"}, {"data/a.csv", "2"}}, directory_);
+  for (const std::string what : {"a pipe", "a folder", "a file without end"}) {
+    fs::remove_all(directory_ / list_of_files);
+    if (what == "a pipe") {
+      ASSERT_EQ(mkfifo((directory_ / list_of_files).c_str(), 0600), 0);
+    } else if (what == "a folder") {
+      fs::create_directories(directory_ / list_of_files);
+      EXPECT_THROW(publish({{"report.md", "3"}}, directory_), PublishError);
+      continue;
+    } else {
+      fs::create_symlink("/dev/zero", directory_ / list_of_files);
+    }
+    publish({{"report.md", what}}, directory_);
+    EXPECT_EQ(read(directory_ / "report.md"), what);
+    EXPECT_TRUE(fs::exists(directory_ / "data/a.csv")) << "nobody said that it was the report's";
+  }
 }
 
 TEST_F(Publish, WhatAnInterruptedReportLeftAsideGoes) {

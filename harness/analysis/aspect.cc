@@ -53,7 +53,7 @@ struct Solved {
 };
 
 Solved solved(const Scene& scene, const Resolution& mesh, int n) {
-  Model model = make_model(std::make_shared<const Scene>(scene), mesh);
+  Model model = model_of_own_mesh(std::make_shared<const Scene>(scene), mesh);
   const System& system = model.bodies.front().full->system();
   const ShiftedFactor shifted = shifted_factor(system, physical_shift(scene.bodies.front()));
   Modes modes = lowest_modes(system, n, shifted);

@@ -4,6 +4,9 @@
 #include <limits>
 #include <set>
 
+#include "harness/study/estimate.h"
+#include "harness/study/memory.h"
+#include "harness/study/truth.h"
 #include "modal/bases/eigenmodes.h"
 
 namespace mb {
@@ -23,6 +26,11 @@ VectorXd damping_ratios(const System& system, const Modes& modes) {
     zeta(i) = phi.dot(apply_damping(system, phi)) / (2 * modes.omega(modes.n_rigid + i));
   }
   return zeta;
+}
+
+Model model_of_own_mesh(const std::shared_ptr<const Scene>& scene, const Resolution& mesh) {
+  require_memory(memory(*scene, mesh), available_memory());
+  return make_model(scene, mesh);
 }
 
 ModalBody modal_body(const AnalysisContext& context, int n_elastic) {

@@ -28,6 +28,10 @@ struct ModalBody {
 // With n_elastic elastic modes, if the body has as many.
 ModalBody modal_body(const AnalysisContext& context, int n_elastic);
 
+// Of a mesh that the case does not state, so that nobody has asked yet whether it fits: throws std::runtime_error with
+// both numbers where it takes more memory than there is.
+Model model_of_own_mesh(const std::shared_ptr<const Scene>& scene, const Resolution& mesh);
+
 // Mode counts of the study, closed form and steppings together, ascending, without 0 and those beyond a third of the
 // body's degrees of freedom, where only a dense solver would do; never empty.
 std::vector<int> mode_counts(const AnalysisContext& context);

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "harness/study/truth.h"
+#include "harness/analysis/modal_body.h"
 #include "modal/bases/eigenmodes.h"
 
 namespace mb {
@@ -21,7 +21,7 @@ SweptAnswer answer(const Scene& scene, double nu, const Resolution& mesh) {
   auto changed = std::make_shared<Scene>(scene);
   Body& body = changed->bodies.front();
   body.material.poissons_ratio = nu;
-  const Model model = make_model(changed, mesh);
+  const Model model = model_of_own_mesh(changed, mesh);
   const BodyModel& modelled = model.bodies.front();
   const System& system = modelled.full->system();
   const ShiftedFactor shifted = shifted_factor(system, physical_shift(body));

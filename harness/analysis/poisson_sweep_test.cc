@@ -1,5 +1,6 @@
 #include "harness/analysis/poisson_sweep.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,6 +71,10 @@ TEST(PoissonSweep, RefusesWhatItCannotSweep) {
   unloaded.loads.clear();
   EXPECT_THROW(poisson_sweep(unloaded, {0.3}), std::invalid_argument);
   EXPECT_THROW(poisson_sweep(bar(), {0.5}), std::invalid_argument);
+  Scene huge = bar();
+  huge.truth.finer = {2, {40, 40, 40}};  // of degree 4 and 80 cells a side: a hundred million unknowns
+  EXPECT_THAT([&] { poisson_sweep(huge, {0.3}); },
+              ::testing::ThrowsMessage<std::runtime_error>(::testing::HasSubstr("takes about")));
 }
 
 }  // namespace

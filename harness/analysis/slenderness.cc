@@ -60,7 +60,7 @@ class Bar {
  public:
   Bar(const AnalysisContext& context, Scene scene, double period)
       : exact_(context.catalogue.integrator("exact")),
-        model_(make_model(std::make_shared<const Scene>(scene), scene.bodies.front().resolution)),
+        model_(model_of_own_mesh(std::make_shared<const Scene>(scene), scene.bodies.front().resolution)),
         shifted_(shifted_factor(system(), physical_shift(scene.bodies.front()))),
         modes_(lowest_modes(system(), n_modes, shifted_)),
         at_rest_(inertia_relief(system(), shifted_, system().F)),

@@ -1,5 +1,6 @@
 #include <fmt/ostream.h>
 
+#include "cases/scene/printable.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
 #include "harness/study/plan.h"
@@ -20,7 +21,7 @@ int check_command(const CheckOptions& options, const Catalogue& catalogue, const
       print(errors, console.err);
       n_errors += static_cast<int>(errors.diagnostics().size());
     } catch (const UnknownCase& unknown) {
-      fmt::print(console.err, "{}\n", unknown.what());
+      fmt::print(console.err, "{}\n", one_line(unknown.what(), 4096));
       ++n_errors;
     }
   if (n_errors > 0) fmt::print(console.err, "{} error{}\n", n_errors, n_errors == 1 ? "" : "s");

@@ -3,6 +3,7 @@
 
 #include "cases/json/json.h"
 #include "cases/scene/diagnostics.h"
+#include "cases/scene/printable.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
 #include "harness/study/estimate.h"
@@ -75,7 +76,8 @@ int list_command(const ListOptions& options, const Catalogue& catalogue, const C
     }
   }
   if (entries.empty() && code == 0) {
-    fmt::print(console.err, "no case{} here\n", options.pattern.empty() ? "" : " named like '" + options.pattern + "'");
+    fmt::print(console.err, "no case{} here\n",
+               options.pattern.empty() ? "" : " named like '" + printable(options.pattern) + "'");
     return 2;
   }
   if (options.json)

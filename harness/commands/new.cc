@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "cases/scene/keys.h"
+#include "cases/scene/printable.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/schema.h"
 #include "harness/commands/usage_error.h"
@@ -51,8 +52,9 @@ int new_command(const NewOptions& options, const Catalogue&, const Console& cons
   if (file.extension() != ".toml") throw UsageError("'" + options.file + "': the name of a case file ends in .toml");
   const std::string name = file.stem();
   write_new(file, template_named(name));
-  fmt::print(console.out, "{}\n", file.string());
-  fmt::print(console.err, "next: modalbench check {0}, modalbench run {0}, modalbench report {0}\n", file.string());
+  fmt::print(console.out, "{}\n", printable(file.string(), 1000));
+  fmt::print(console.err, "next: modalbench check {0}, modalbench run {0}, modalbench report {0}\n",
+             printable(file.string(), 1000));
   return 0;
 }
 

@@ -192,10 +192,19 @@ void run_in_parallel(const Scenes& scenes, const Catalogue& catalogue, const Sto
   }
 }
 
+// Within $'...', byte by byte: no terminal is told what a file's name says.
+std::string escaped(const std::string& word) {
+  std::string text;
+  for (const unsigned char c : word)
+    text += std::isalnum(c) ? std::string(1, static_cast<char>(c)) : fmt::format("\\x{:02x}", c);
+  return text;
+}
+
 // A word as a shell takes it back.
 std::string shell_word(const std::string& word) {
   const auto is_plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("-_./=,:+@%", c) != nullptr; };
   if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
+  if (unprintable(word)) return "$'" + escaped(word) + "'";
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";

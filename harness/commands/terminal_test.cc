@@ -45,6 +45,20 @@ TEST(TerminalTest, NamesOfFilesPrint) {
   }
 }
 
+TEST(TerminalTest, WordsOfTheCommandLinePrint) {
+  const ScratchFolder scratch;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"check", evil},
+                                                {"list", evil},
+                                                {"new", evil + ".toml"},
+                                                {"run", "--profile", evil},
+                                                {evil}}) {
+    const Said said = modalbench(scratch.path(), words);
+    EXPECT_NE(said.out + said.err, "") << words.front();
+    expect_prints(said.err);
+    expect_prints(said.out);
+  }
+}
+
 // Sealed as by this program: the checksum says that the file is whole, not that it is honest.
 TEST(TerminalTest, RecordsOfAStorePrint) {
   const ScratchFolder scratch;

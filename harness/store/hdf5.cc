@@ -277,6 +277,11 @@ Hdf5Content from_hdf5(std::string_view bytes) {
   return content;
 }
 
+bool hdf5_plugins_are_off() {
+  unsigned mask = ~0u;
+  return H5PLget_loading_state(&mask) >= 0 && mask == 0;
+}
+
 Index open_hdf5_objects() {
   const ssize_t n = H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL);
   if (n < 0) fail(failed);

@@ -49,4 +49,6 @@ Hdf5Content from_hdf5(std::string_view bytes);
 // closes forgotten ones at the program's end, so that no leak would tell.
 Index open_hdf5_objects();
 
+bool hdf5_plugins_are_off();  // once any of the above was called: a filter of a file loads no library
+
 }  // namespace mb

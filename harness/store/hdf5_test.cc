@@ -50,6 +50,11 @@ bool comes_back(const MatrixXd& values) {
          std::memcmp(after.data(), values.data(), static_cast<std::size_t>(values.size()) * sizeof(double)) == 0;
 }
 
+TEST(Hdf5, LoadsNoPlugins) {
+  from_hdf5(to_hdf5(example()));
+  EXPECT_TRUE(hdf5_plugins_are_off());
+}
+
 TEST(Hdf5, ContentComesBackBitForBit) {
   const Hdf5Content before = example();
   const Hdf5Content after = from_hdf5(to_hdf5(before));

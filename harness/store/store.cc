@@ -57,6 +57,12 @@ Store::Findings read_findings(const std::vector<std::filesystem::path>& files) {
   return all;
 }
 
+bool holds(const std::filesystem::path& file, const std::string& text) {
+  std::error_code error;
+  if (std::filesystem::file_size(file, error) != text.size() || error) return false;
+  return read_file(file, text.size()) == text;
+}
+
 }  // namespace
 
 Store::Store(std::filesystem::path directory) : directory_(std::move(directory)) {}
@@ -151,7 +157,9 @@ RecordLines Store::read_all_records() const {
 
 std::vector<RefusedLine> Store::rebuild_results() const {
   RecordLines all = read_all_records();
-  write_file(directory_ / "results.jsonl", lines_of(all.records));
+  const std::filesystem::path file = directory_ / "results.jsonl";
+  const std::string lines = lines_of(all.records);
+  if (!holds(file, lines)) write_file(file, lines);  // a store may be read from a read-only disk
   return std::move(all.refused);
 }
 

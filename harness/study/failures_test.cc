@@ -147,10 +147,20 @@ TEST(FailureCases, WhatIsGoneBesideTheResultsIsMadeAgain) {
   const Said said = modalbench(scratch.path(), {"run", "case.toml", "--untimed"});
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.err, HasSubstr("0 runs done, 4 found"));
+  EXPECT_THAT(said.err, HasSubstr(finer + ".jsonl: is cut short or altered"));
   EXPECT_EQ(text(marks).size(), before.size());
   ASSERT_TRUE(fs::remove(moved));
   EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).err, HasSubstr("1 runs done, 3 found"));
   EXPECT_TRUE(fs::exists(moved));
+  for (const bool is_cut : {true, false}) {  // or another run's
+    const fs::path other = scratch / ("results/trajectories/" + jobs(scene, default_catalogue()).at(1).hash + ".h5");
+    is_cut ? fs::resize_file(moved, 500) : void(fs::copy_file(other, moved, fs::copy_options::overwrite_existing));
+    const Said again = modalbench(scratch.path(), {"run", "case.toml", "--untimed"});
+    EXPECT_THAT(again.err, HasSubstr("1 runs done, 3 found")) << is_cut;
+    EXPECT_THAT(again.err, HasSubstr(motion + ".h5: ")) << is_cut;
+    EXPECT_THAT(again.err, HasSubstr("computed again")) << is_cut;
+    EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).err, HasSubstr("0 runs done, 4 found"));
+  }
 }
 
 // The marks are there, their times are asked for, and there is no room to take them.

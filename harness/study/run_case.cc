@@ -148,8 +148,12 @@ class CaseRun {
   // itself marks it, too.
   void mark_truths(const Grader& grader, const TruthSet& truth) const {
     const std::string finer = base(truth_contenders(*scene_)[0]).run;
-    for (const Record& one : unmarked_truths())
+    for (const Record& one : unmarked_truths()) {
+      for (const RefusedLine& line :
+           store_.has_records(one.run) ? store_.read_records_of(one.run).refused : std::vector<RefusedLine>())
+        progress_(to_string(line) + "; computed again");
       store_.write_records(one.run, one.run == finer ? grader.truth_marks(one) : grader.marks(one, truth.loose));
+    }
   }
 
   // What stands for a truth that is no contender: finer, then on the same mesh.

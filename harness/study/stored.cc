@@ -33,15 +33,26 @@ bool is_answer(const std::vector<Record>& marks) {
   });
 }
 
+// What is wrong with the motion of a run, if anything is: all of it is read.
+std::optional<RefusedLine> damage_of_motion(const std::string& run, const Store& store) try {
+  store.read_trajectory(run);
+  return {};
+} catch (const StoreError& error) {
+  return RefusedLine{error.file(), 0, error.fault()};
+}
+
 // Where a contender is the truth itself, what stands under its name may be what the truth contains and no mark of it.
 StoredJob stored_marks(const Job& job, const Store& store) {
   StoredJob found;
   if (!store.has_records(job.hash)) return found;
   RecordLines marks = store.read_records_of(job.hash);
-  found.has_result = marks.refused.empty() && !std::ranges::all_of(marks.records, is_of_truth) &&
-                     (!is_answer(marks.records) || store.has_trajectory(job.hash));
+  const bool has_motion = store.has_trajectory(job.hash);
+  const auto damaged = has_motion ? damage_of_motion(job.hash, store) : std::nullopt;
+  if (damaged) found.damaged.push_back(*damaged);
+  found.has_result = marks.refused.empty() && !damaged && !std::ranges::all_of(marks.records, is_of_truth) &&
+                     (has_motion || !is_answer(marks.records));
   found.failed = std::ranges::any_of(marks.records, [](const Record& r) { return is_failure(r); });
-  found.damaged = std::move(marks.refused);
+  std::ranges::move(marks.refused, std::back_inserter(found.damaged));
   found.has_times = std::ranges::none_of(marks.records, [](const Record& r) { return r.status == "ok"; });
   found.marks = std::move(marks.records);
   if (found.has_times || !store.has_times(job.hash)) return found;
