@@ -64,6 +64,9 @@ void check_is_run(Section& section, const Check& check, const CheckContext& cont
                     "the study's rivals and steppings, and those of every profile that states others, step with it");
     return;
   }
+  if (check.time_step && !has(study.contact_steps, *check.time_step))
+    section.error("time_step", fmt::format("{} does not run {}", context.runs, runs_of(check)),
+                  "the closed form takes steps while bodies touch, 'contact_steps' in [study]");
   if (has_modes && !study.modes.empty() && !has(study.modes, check.modes)) {
     section.error("modes", fmt::format("{} does not run {} modes", context.runs, check.modes),
                   "'modes' of a check is one of the mode counts in [study], and in every profile that states others");

@@ -52,6 +52,24 @@ TEST(StabilityGrid, AverageAccelerationIsStableAtAnyStepAndInaccurateAtLargeOnes
   EXPECT_EQ(verdict(large), "as predicted");
 }
 
+TEST(StabilityGrid, EnergyStaysWithinWhatTheoryAllows) {
+  for (const Rayleigh& damping : {Rayleigh{}, Rayleigh{1, 0}, Rayleigh{0, 1e-3}}) {
+    const MappedSystem mapped = under_a_pulse(damping);
+    for (const char* name : {"newmark", "central-difference", "symplectic-euler"}) {
+      for (const double factor : {0.1, 0.5, 0.9}) {
+        const StepCell one = cell(mapped, name, factor * predicted_limit(mapped, "central-difference"));
+        EXPECT_LE(one.energy, one.bound * (1 + 1e-9)) << name << " " << factor;
+      }
+    }
+  }
+  const MappedSystem undamped = under_a_pulse({});
+  const StepCell near = cell(undamped, "symplectic-euler", 0.9 * 2 / 80);
+  EXPECT_NEAR(near.bound, 19, 1e-9) << "(1 + 0.9)/(1 - 0.9)";
+  EXPECT_GT(near.energy, 19. / 3 / 2) << "one of three modes alike in energy comes near it";
+  EXPECT_TRUE(std::isnan(cell(undamped, "symplectic-euler", 1.1 * 2 / 80).bound)) << "past the limit";
+  EXPECT_TRUE(std::isnan(cell(undamped, "explicit-euler", 1e-4).bound));
+}
+
 TEST(StabilityGrid, GrowthTooSlowForTheRunIsNotCalledStability) {
   const MappedSystem undamped = under_a_pulse({});
   EXPECT_EQ(predicted_limit(undamped, "explicit-euler"), 0);
