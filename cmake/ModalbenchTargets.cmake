@@ -5,6 +5,7 @@
 
 set(MODALBENCH_SANITIZE "" CACHE STRING "Sanitizers to compile with: address, undefined (comma-separated)")
 set(MODALBENCH_LAUNCHER "" CACHE STRING "What unit tests are run by: valgrind with its options (see the preset `valgrind`)")
+set(MODALBENCH_TESTS_AT_ONCE 8 CACHE STRING "Sources of tests that are compiled as one (see join_tests.cmake)")
 option(MODALBENCH_FUZZ "Instrument for libFuzzer and define its targets (clang++; see the preset `fuzz`)" OFF)
 option(MODALBENCH_NATIVE "Compile for this machine's processor (-march=native)" OFF)
 
@@ -88,9 +89,38 @@ if(BUILD_TESTING)
   add_custom_target(unit_tests)   # every test binary
 endif()
 
+# mb_join_tests(JOINED SOURCE...): sources of MODALBENCH_TESTS_AT_ONCE tests' each, made in the build folder, and those
+# that have no test but what tests share, as they are.
+function(mb_join_tests joined)
+  set(tests "")
+  set(files "")
+  foreach(source IN LISTS ARGN)
+    file(STRINGS ${source} found REGEX "^(TEST|TYPED_TEST)" LIMIT_COUNT 1)
+    if(found AND MODALBENCH_TESTS_AT_ONCE GREATER 1)
+      list(APPEND tests ${source})
+    else()
+      list(APPEND files ${source})
+    endif()
+  endforeach()
+  set(first 0)
+  list(LENGTH tests n)
+  while(first LESS n)
+    list(SUBLIST tests ${first} ${MODALBENCH_TESTS_AT_ONCE} some)
+    list(JOIN some "," words)
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/tests_from_${first}.cc)
+    add_custom_command(OUTPUT ${file} VERBATIM DEPENDS ${some} ${PROJECT_SOURCE_DIR}/cmake/join_tests.cmake
+      COMMAND ${CMAKE_COMMAND} -DOUT=${file} -DFIRST=${first} -DSOURCES=${words}
+        -P ${PROJECT_SOURCE_DIR}/cmake/join_tests.cmake)
+    list(APPEND files ${file})
+    math(EXPR first "${first} + ${MODALBENCH_TESTS_AT_ONCE}")
+  endwhile()
+  set(${joined} ${files} PARENT_SCOPE)
+endfunction()
+
 # Tests are found by gtest_discover_tests; a test suite whose name ends in "Verification" carries the label
 # `verification` (an independent target), "Cases" the label `cases` (runs the program), all others `unit`.
-# Under sanitizers and by valgrind a program takes seconds to load: unit tests run in a few processes of hundreds each.
+# deal.II's libraries take half a second to load, seconds under sanitizers and by valgrind: unit tests run in a few
+# processes of hundreds each. One alone: build/native/modal/modal_test --gtest_filter=NAME.
 function(mb_tests name)
   if(NOT BUILD_TESTING)
     return()
@@ -100,7 +130,8 @@ function(mb_tests name)
   if(NOT sources)
     return()
   endif()
-  add_executable(${name}_test ${sources})
+  mb_join_tests(joined ${sources})
+  add_executable(${name}_test ${joined})
   target_link_libraries(${name}_test PRIVATE mb_${name} mb_warnings ${ARG_LINK} GTest::gmock GTest::gtest_main)
   add_dependencies(unit_tests ${name}_test)
   target_precompile_headers(${name}_test PRIVATE ${MODALBENCH_COMMON_HEADERS} ${ARG_HEADERS} <gmock/gmock.h>
@@ -123,11 +154,6 @@ function(mb_tests name)
     set_tests_properties(${suite_name} PROPERTIES LABELS cases TIMEOUT ${cases_limit})
   endforeach()
   set(unit -*Verification.*:*Cases.*)
-  if(NOT MODALBENCH_SANITIZE AND NOT MODALBENCH_LAUNCHER)
-    gtest_discover_tests(${name}_test TEST_FILTER ${unit} TEST_LIST ${name}_unit ${common}
-      PROPERTIES LABELS unit TIMEOUT 120)
-    return()
-  endif()
   set(n_shards 4)
   if(MODALBENCH_LAUNCHER)
     set(n_shards 16)

@@ -13,8 +13,10 @@ if(BUILD_TESTING)
     USES_TERMINAL VERBATIM)
   add_dependencies(check unit_tests layering modalbench)
 
-  # ./run on other systems, without root, without network: with stubs of all that it calls.
-  add_test(NAME run-script COMMAND ${PROJECT_SOURCE_DIR}/cmake/run_test)
-  add_test(NAME fuzz-script COMMAND ${PROJECT_SOURCE_DIR}/cmake/fuzz_test)
-  set_tests_properties(run-script fuzz-script PROPERTIES LABELS unit TIMEOUT 300)
+  # ./run on other systems, without root, without network: with stubs of all that it calls. Of no compiler's flags.
+  if(NOT MODALBENCH_SANITIZE AND NOT MODALBENCH_LAUNCHER)
+    add_test(NAME run-script COMMAND ${PROJECT_SOURCE_DIR}/cmake/run_test)
+    add_test(NAME fuzz-script COMMAND ${PROJECT_SOURCE_DIR}/cmake/fuzz_test)
+    set_tests_properties(run-script fuzz-script PROPERTIES LABELS unit TIMEOUT 300)
+  endif()
 endif()

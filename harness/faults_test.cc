@@ -13,7 +13,7 @@ namespace mb {
 namespace {
 
 using namespace faults;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 // Killed soon after it has finished something, until nothing is left to do. A run is finished with its records: killed
 // before them, it writes the same trajectory again.
@@ -122,7 +122,7 @@ TEST(FaultCases, WhatIsBeyondMemoryIsRefusedBeforeItIsAllocated) {
   for (const std::vector<std::string>& words : {run, {"modes", "case.toml"}, run_with({"--jobs", "2"})}) {
     Process process(scratch.path(), words, with_addresses_for(16));
     EXPECT_EQ(process.code(), 3) << words.front();
-    EXPECT_THAT(process.err(), testing::ContainsRegex(refusal)) << words.front();
+    EXPECT_THAT(process.err(), ::testing::ContainsRegex(refusal)) << words.front();
   }
   EXPECT_FALSE(fs::exists(scratch / "results/truth"));
 }
@@ -136,7 +136,7 @@ TEST(FaultCases, ModesBeyondMemoryAreRefusedBeforeTheyAreAllocated) {
   written(scratch / "case.toml", large_case("[19, 19, 19]"));
   Process process(scratch.path(), {"modes", "case.toml", "--count", "4096"}, with_addresses_for(3));
   EXPECT_EQ(process.code(), 3);
-  EXPECT_THAT(process.err(), testing::ContainsRegex(refusal));
+  EXPECT_THAT(process.err(), ::testing::ContainsRegex(refusal));
 }
 
 // Threads of the BLAS that find no memory to begin with wait for it for good: nobody may wait for them.

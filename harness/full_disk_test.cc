@@ -13,8 +13,8 @@ namespace mb {
 namespace {
 
 using namespace faults;
-using testing::ContainsRegex;
-using testing::HasSubstr;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
 
 // A file system of so many KiB at a folder, for this test and what it starts: nobody else sees it, and it goes with the
 // process. Takes a right that containers seldom give.

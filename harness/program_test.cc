@@ -11,7 +11,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 // Every wrong file of cases/bad: its messages on stderr, nothing on stdout, exit code 2.
 TEST(BadInputCases, MessagesAndExitCode) {
   const fs::path folder = fs::path(MB_SOURCE_DIR) / "cases/bad";
@@ -23,7 +23,7 @@ TEST(BadInputCases, MessagesAndExitCode) {
     EXPECT_EQ(said.out, "") << entry.path();
     const std::string expected = text(fs::path(entry.path()).replace_extension(".expected"));
     EXPECT_FALSE(expected.empty()) << entry.path();
-    EXPECT_THAT(said.err, testing::StartsWith(expected));
+    EXPECT_THAT(said.err, ::testing::StartsWith(expected));
     ++n_files;
   }
   EXPECT_GE(n_files, 20);
@@ -77,7 +77,7 @@ TEST(ProgramCases, TheTemplateRunsAndHolds) {
   const Said run = modalbench(scratch.path(), {"run", "my.toml", "--quiet", "--untimed"});
   EXPECT_EQ(run.code, 0) << run.err << run.out;
   EXPECT_EQ(run.err, "");
-  EXPECT_THAT(run.out, testing::StartsWith("holds my"));
+  EXPECT_THAT(run.out, ::testing::StartsWith("holds my"));
   const Said report = modalbench(scratch.path(), {"report", "my.toml", "-q"});
   EXPECT_EQ(report.code, 0) << report.err;
   EXPECT_THAT(text(scratch / "report/report.md"), HasSubstr("1 of 1 check"));

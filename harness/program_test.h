@@ -28,11 +28,11 @@ inline Said modalbench(const fs::path& folder, std::vector<std::string> words,
   words.insert(words.begin(), "modalbench");
   std::vector<char*> argv;
   for (auto& word : words) argv.push_back(word.data());
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
   const int code = harness_main(static_cast<int>(argv.size()), argv.data(), catalogue);
   fs::current_path(before);
-  return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+  return {code, ::testing::internal::GetCapturedStdout(), ::testing::internal::GetCapturedStderr()};
 }
 
 inline std::string text(const fs::path& file) {

@@ -10,7 +10,7 @@ namespace mb {
 namespace {
 
 using namespace faults;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(SignalCases, CtrlCEndsAProcessCleanly) {
   for (const char* jobs : {"1", "2"}) {

@@ -10,7 +10,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
   const auto at = text.find(what);
@@ -30,7 +30,7 @@ TEST(StudyCases, TheSamePhysicsUnderAnotherNameOrProfileHasRunsOfItsOwn) {
   const Said other = run(scratch, replaced(small_case(), "name = \"small\"", "name = \"other\""));
   EXPECT_EQ(other.code, 0) << other.err;
   EXPECT_THAT(other.err, HasSubstr("4 runs done"));
-  EXPECT_THAT(other.err, testing::Not(HasSubstr("truth Q")));  // the truth is the same: found
+  EXPECT_THAT(other.err, ::testing::Not(HasSubstr("truth Q")));  // the truth is the same: found
   const Said full = run(scratch, small_case(), {"--profile", "full"});
   EXPECT_EQ(full.code, 0) << full.err;
   EXPECT_THAT(full.out, HasSubstr("holds small"));
@@ -131,12 +131,12 @@ TEST(Front, HoldsWhatNoOtherRunBeatsAndWasTimedOnce) {
   add("further-below", 1e-4, 9.0, true);  // both count as the bar: the cheaper one decides
   add("within-5-percent", 3e-2, 1.2, false);
   add("no-better-by-its-value", 2.9e-2, 2.0, true);
-  EXPECT_THAT(dear_front(records), testing::UnorderedElementsAre("best", "below-bar"));
+  EXPECT_THAT(dear_front(records), ::testing::UnorderedElementsAre("best", "below-bar"));
   records.push_back(timed("dear", 4.0, true));  // its bar is less: the first that is sure to be within 1 %
   records.push_back(marked("dear", 9e-3, 5e-4));
-  EXPECT_THAT(dear_front(records), testing::UnorderedElementsAre("best", "below-bar"));
+  EXPECT_THAT(dear_front(records), ::testing::UnorderedElementsAre("best", "below-bar"));
   std::erase_if(records, [](const Record& r) { return r.run == "below-bar" || r.run == "further-below"; });
-  EXPECT_THAT(dear_front(records), testing::UnorderedElementsAre("best", "dear"));
+  EXPECT_THAT(dear_front(records), ::testing::UnorderedElementsAre("best", "dear"));
   EXPECT_TRUE(dear_front({}).empty());
 }
 

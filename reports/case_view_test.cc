@@ -13,8 +13,8 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 // A ball of 60 mm radius, half a metre above the floor.
 Scene drop() {
@@ -83,7 +83,7 @@ TEST(ContactLine, SaysWhatIsGiven) {
 TEST(ContactLine, OfWhatRestsTheSpeedIsOnlyThatOfTheEstimate) {
   Scene scene = drop();
   scene.bodies[0].pose.position.z() = 0.06;  // on the floor
-  EXPECT_THAT(line(scene), testing::ContainsRegex("m, as of an approach at [0-9.e-]* m/s, first touch at 0 s"));
+  EXPECT_THAT(line(scene), ::testing::ContainsRegex("m, as of an approach at [0-9.e-]* m/s, first touch at 0 s"));
 }
 
 TEST(ContactLine, WhatDoesNotTouchInTimeIsSaid) {
@@ -142,7 +142,7 @@ TEST(ContactLine, GravityAndSpeedStandWithoutContact) {
   Scene scene = synthetic::scene();
   EXPECT_TRUE(contact_sentences(scene).empty());
   scene.bodies[0].twist.angular_velocity = {0, 0, 3};
-  EXPECT_THAT(contact_sentences(scene), testing::ElementsAre("cylinder starts with spin (0, 0, 3) rad/s"));
+  EXPECT_THAT(contact_sentences(scene), ::testing::ElementsAre("cylinder starts with spin (0, 0, 3) rad/s"));
 }
 
 TEST(HalfWaves, StandInThePlaceOfTheMeshOfBeamsAndPlates) {

@@ -10,8 +10,8 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 Claim claim(const ReportInput& input) { return claims(evaluate(input)).at(3); }
 

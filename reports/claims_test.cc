@@ -12,8 +12,8 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 Claim claim(const ReportInput& input, const std::string& id) {
   for (const Claim& one : claims(evaluate(input))) {
@@ -164,8 +164,8 @@ TEST(Claims, CasesOfBeamTheoryAreNeitherInTheHeadlineNorInTheClaim) {
   EXPECT_THAT(found.limits, HasSubstr("left out: beam, of beam or plate theory"));
   const Verdict verdict = verdict_of(evaluation);
   EXPECT_DOUBLE_EQ(verdict.median.value(), 3);
-  EXPECT_THAT(verdict.sentences, testing::Contains(HasSubstr("left out: beam, of beam or plate theory")));
-  EXPECT_THAT(verdict.sentences, Not(testing::Contains(HasSubstr("leaves open"))));  // that is not why
+  EXPECT_THAT(verdict.sentences, ::testing::Contains(HasSubstr("left out: beam, of beam or plate theory")));
+  EXPECT_THAT(verdict.sentences, Not(::testing::Contains(HasSubstr("leaves open"))));  // that is not why
   for (const auto& row : headline_table(evaluation).rows) EXPECT_EQ(row[0].text, "solid");
   for (const auto& [norm, pair] : headline_pairs(evaluation)) EXPECT_EQ(pair.error.case_name, "solid");
   EXPECT_THAT(headline_table(evaluation).note, HasSubstr("half waves"));
@@ -180,7 +180,7 @@ TEST(Claims, OfBeamTheoryAloneNothingIsMeasuredAndTheReasonStands) {
   EXPECT_EQ(claim(input, "C1").ruling, Ruling::not_measured);
   EXPECT_THAT(claim(input, "C1").limits, HasSubstr("left out: beam"));
   EXPECT_THAT(verdict_of(evaluate(input)).sentences,
-              testing::Contains(HasSubstr("no reduced run of the cases that count is within that")));
+              ::testing::Contains(HasSubstr("no reduced run of the cases that count is within that")));
 }
 
 TEST(Claims, InstructionsASecondAreThoseThatWereCounted) {
@@ -212,9 +212,9 @@ std::string cell_of(const ReportInput& input, const std::string& contender) {
 
 TEST(Matrix, SaysWhatHappenedInSymbolAndNumber) {
   ReportInput input = synthetic::input();
-  EXPECT_THAT(cell_of(input, "static-correction"), testing::StartsWith("✔ "));
+  EXPECT_THAT(cell_of(input, "static-correction"), ::testing::StartsWith("✔ "));
   EXPECT_THAT(cell_of(input, "static-correction"), HasSubstr("r = 256"));
-  EXPECT_THAT(cell_of(input, "quadratic"), testing::StartsWith("▲ 0.12"));
+  EXPECT_THAT(cell_of(input, "quadratic"), ::testing::StartsWith("▲ 0.12"));
   EXPECT_EQ(cell_of(input, "eigenmodes, explicit-euler"), "⚡ 1 unstable of 1");
   EXPECT_THAT(cell_of(input, "full order, newmark"), HasSubstr("1 failed of 40"));
   for (Record& record : input.records) {
@@ -222,14 +222,14 @@ TEST(Matrix, SaysWhatHappenedInSymbolAndNumber) {
     if (record.contender.method == "quadratic") record.status = "unstable";
   }
   EXPECT_EQ(cell_of(input, "linear"), "✘ 1 failed of 1");
-  EXPECT_THAT(cell_of(input, "quadratic"), testing::StartsWith("⚡"));
+  EXPECT_THAT(cell_of(input, "quadratic"), ::testing::StartsWith("⚡"));
 }
 
 TEST(Matrix, ATickNeedsErrorAndBarWithinTheTarget) {
   for (const double bar : {4e-3, 6e-3}) {
     ReportInput input;
     input.records = {synthetic::record("displacement-error", 5e-3, bar, synthetic::reduced("eigenmodes", 8))};
-    EXPECT_THAT(cell_of(input, "eigenmodes"), testing::StartsWith(bar < 5e-3 ? "✔ " : "▲ "));
+    EXPECT_THAT(cell_of(input, "eigenmodes"), ::testing::StartsWith(bar < 5e-3 ? "✔ " : "▲ "));
   }
 }
 

@@ -8,8 +8,8 @@
 namespace mb {
 namespace {
 
-using testing::Contains;
-using testing::ElementsAre;
+using ::testing::Contains;
+using ::testing::ElementsAre;
 
 std::vector<std::vector<std::string>> rows_of(const ReportInput& input) {
   std::vector<std::vector<std::string>> rows;
@@ -41,7 +41,7 @@ TEST(Environment, HasARowADistinctValue) {
 }
 
 TEST(Environment, SaysHowManyTimesAreNotCompared) {
-  EXPECT_THAT(environment_table(evaluate(of_two_machines())).note, testing::StartsWith("1 time taken"));
+  EXPECT_THAT(environment_table(evaluate(of_two_machines())).note, ::testing::StartsWith("1 time taken"));
   EXPECT_EQ(environment_table(evaluate(ReportInput{})).note, "");
 }
 
@@ -59,7 +59,7 @@ TEST(Environment, CommandsNameTheCommitOfMostRecordsAndThatThereAreOthers) {
   EXPECT_THAT(reproducing_commands(evaluate(input)), Contains("git checkout abc"));
   for (Record& record : input.records) record.provenance["commit"] = "$(rm -rf)";
   for (const std::string& command : reproducing_commands(evaluate(input))) {
-    EXPECT_THAT(command, testing::Not(testing::HasSubstr("git checkout")));
+    EXPECT_THAT(command, ::testing::Not(::testing::HasSubstr("git checkout")));
   }
 }
 
@@ -91,7 +91,7 @@ TEST(Environment, CommandsSayWhichRunsTheyDoNotRepeat) {
                                  synthetic::full(2, {1, 4}, 0.01), synthetic::full(2, {1, 2}, 0.02), stepped(0.02)})
     add(other);
   EXPECT_THAT(reproducing_commands(evaluate(input)),
-              Contains(testing::StartsWith(command + "  # does not repeat 5 runs of settings")));
+              Contains(::testing::StartsWith(command + "  # does not repeat 5 runs of settings")));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 Finding small() {
   Finding finding = synthetic::finding("shear", "step-limits", "limits", {{"scheme", ""}, {"dt", "s"}, {"n", ""}});
@@ -79,9 +79,9 @@ TEST(Findings, GroupsComeInTheReportsOrder) {
     order.push_back(group.analysis);
     headings.push_back(group.heading);
   }
-  EXPECT_THAT(order, testing::ElementsAre("budget", "step-limits", "aliasing", "damping", "mode-amplitudes",
-                                          "frequencies", "probe-extremes", "zebra"));
-  EXPECT_THAT(headings, testing::IsSupersetOf({"Natural frequencies", "Findings: zebra"}));
+  EXPECT_THAT(order, ::testing::ElementsAre("budget", "step-limits", "aliasing", "damping", "mode-amplitudes",
+                                            "frequencies", "probe-extremes", "zebra"));
+  EXPECT_THAT(headings, ::testing::IsSupersetOf({"Natural frequencies", "Findings: zebra"}));
   EXPECT_TRUE(stands_before_speed_up("aliasing"));
   EXPECT_FALSE(stands_before_speed_up("damping"));
 }

@@ -100,7 +100,7 @@ TEST(ObservedOrders, AnErrorThatDoesNotFallIsNoneInTheTableAndHasNoLegend) {
       order_labels(all, run, run.measures.begin()->first, true, drawn(evaluation.runs), evaluation.runs).empty());
 }
 
-class Curves : public testing::Test {
+class Curves : public ::testing::Test {
  protected:
   Evaluation evaluation_ = evaluate(synthetic::input());
   std::vector<Curve> all_ = curves(evaluation_);

@@ -10,8 +10,8 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 // The policy is what stands between a hostile name in a record and the reader's browser: nothing is loaded, no script
 // runs but the page's own, known by its hash.

@@ -18,11 +18,11 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
-class Publish : public testing::Test {
+class Publish : public ::testing::Test {
  protected:
   void SetUp() override {
-    directory_ = fs::path(testing::TempDir()) /
-                 (std::string("publish-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    directory_ = fs::path(::testing::TempDir()) /
+                 (std::string("publish-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(directory_);
   }
   void TearDown() override { fs::remove_all(directory_); }
@@ -45,7 +45,7 @@ TEST_F(Publish, WritesWhatItNamesAndAListOfIt) {
   const auto written = publish({{"report.md", "1"}, {"data/a.csv", "2"}}, directory_);
   EXPECT_EQ(written.size(), 3u);
   for (const fs::path& path : written) EXPECT_TRUE(fs::is_regular_file(path)) << path;
-  EXPECT_THAT(files(), testing::ElementsAre("data/a.csv", "data/files.txt", "report.md"));
+  EXPECT_THAT(files(), ::testing::ElementsAre("data/a.csv", "data/files.txt", "report.md"));
   EXPECT_EQ(read(directory_ / list_of_files), "report.md\ndata/a.csv\ndata/files.txt\n");
 }
 
@@ -57,8 +57,8 @@ TEST_F(Publish, FilesOfTheReportBeforeGoAndAllOthersStay) {
   put("data/mine.csv", "kept");
   put("notes/mine.txt", "kept");
   publish({{"report.md", "4"}, {"figures/new.vl.json", "5"}}, directory_);
-  EXPECT_THAT(files(), testing::ElementsAre("data/files.txt", "data/mine.csv", "figures/new.svg", "figures/new.vl.json",
-                                            "notes/mine.txt", "report.md"));
+  EXPECT_THAT(files(), ::testing::ElementsAre("data/files.txt", "data/mine.csv", "figures/new.svg",
+                                              "figures/new.vl.json", "notes/mine.txt", "report.md"));
   EXPECT_EQ(read(directory_ / "report.md"), "4");
   EXPECT_EQ(read(directory_ / "data/mine.csv"), "kept");
 }
@@ -69,7 +69,7 @@ TEST_F(Publish, AReportThatCannotBeWrittenLeavesTheOneBeforeAsItWas) {
   EXPECT_THROW(publish({{"report.md", "after"}, {"data/" + too_long, "after"}}, directory_), PublishError);
   EXPECT_EQ(read(directory_ / "report.md"), "before");
   EXPECT_EQ(read(directory_ / "data/a.csv"), "before");
-  EXPECT_THAT(files(), testing::ElementsAre("data/a.csv", "data/files.txt", "report.md"));  // nothing aside is left
+  EXPECT_THAT(files(), ::testing::ElementsAre("data/a.csv", "data/files.txt", "report.md"));  // nothing aside is left
 }
 
 // Found before the first file is replaced.
@@ -103,7 +103,7 @@ TEST_F(Publish, AListThatIsNoListIsNone) {
 TEST_F(Publish, WhatAnInterruptedReportLeftAsideGoes) {
   put(".unfinished-report.999999999/data/half.csv", "half");
   publish({{"report.md", "1"}}, directory_);
-  EXPECT_THAT(files(), testing::ElementsAre("data/files.txt", "report.md"));
+  EXPECT_THAT(files(), ::testing::ElementsAre("data/files.txt", "report.md"));
 }
 
 TEST_F(Publish, AListThatNamesOtherFilesRemovesNone) {
@@ -119,7 +119,7 @@ TEST_F(Publish, AListThatNamesOtherFilesRemovesNone) {
   EXPECT_TRUE(fs::exists(outside));
   fs::remove(outside);
   EXPECT_THAT(files(),
-              testing::ElementsAre("data/files.txt", "data/sub/mine.csv", "mine.cc", "other/mine.csv", "report.md"));
+              ::testing::ElementsAre("data/files.txt", "data/sub/mine.csv", "mine.cc", "other/mine.csv", "report.md"));
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 Sheet table_of(const std::string& text) {
   return {.name = "t", .title = text, .note = "", .columns = {{text, ""}}, .rows = {{text_cell(text)}}};
@@ -75,7 +75,8 @@ TEST(Markdown, EveryRowHasTheColumnsOfTheHeader) {
 
 TEST(Csv, FormulasAreDefusedAndQuotesDoubled) {
   for (const std::string start : {"=", "+", "-", "@", "\t", "\r"}) {
-    EXPECT_THAT(csv_text(start + "cmd"), testing::AnyOf(testing::StartsWith("'"), testing::StartsWith("\"'"))) << start;
+    EXPECT_THAT(csv_text(start + "cmd"), ::testing::AnyOf(::testing::StartsWith("'"), ::testing::StartsWith("\"'")))
+        << start;
   }
   EXPECT_EQ(csv_text("plain"), "plain");
   EXPECT_EQ(csv_text(std::string("a\x1b]0;t\x07"
@@ -129,7 +130,7 @@ TEST(Page, OpensOnTheCaseOfTheMedianSpeedUp) {
 
 TEST(Page, ATemplateWithoutAPlaceForTheDataIsRefused) {
   EXPECT_THROW(page(evaluate(synthetic::input()), "<html></html>"), std::logic_error);
-  EXPECT_THAT(page(evaluate(ReportInput{}), "[@REPORTJSON@]"), testing::StartsWith("[{\"schema\":1"));
+  EXPECT_THAT(page(evaluate(ReportInput{}), "[@REPORTJSON@]"), ::testing::StartsWith("[{\"schema\":1"));
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace mb {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string read(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -26,11 +26,11 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
-class WriteReport : public testing::Test {
+class WriteReport : public ::testing::Test {
  protected:
   void SetUp() override {
-    directory_ = fs::path(testing::TempDir()) /
-                 (std::string("report-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    directory_ = fs::path(::testing::TempDir()) /
+                 (std::string("report-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(directory_);
   }
   void TearDown() override { fs::remove_all(directory_); }
@@ -85,13 +85,13 @@ TEST_F(WriteReport, OpensWithTheVerdictAndNamesProfileTruthAndFailures) {
   const std::string text = read(directory_ / "report.md");
   EXPECT_LT(text.find("## Verdict"), text.find("## Checks"));
   EXPECT_THAT(text, HasSubstr("3 of 4 checks hold, 1 not decidable"));
-  EXPECT_THAT(text, testing::Not(HasSubstr("truth \n")));  // checks on tables name none
+  EXPECT_THAT(text, ::testing::Not(HasSubstr("truth \n")));  // checks on tables name none
   EXPECT_THAT(text, HasSubstr("case cylinder-compression, profile quick, truth finer"));
   EXPECT_THAT(text, HasSubstr("failed (not_finite)"));
   EXPECT_THAT(text, HasSubstr("none reached"));
   EXPECT_THAT(text, HasSubstr("break-even"));
   EXPECT_THAT(text, HasSubstr("modalbench run cylinder-compression --profile quick"));
-  EXPECT_THAT(text, Not(testing::ContainsRegex("[^a-z](nan|inf)[^a-z]")));
+  EXPECT_THAT(text, Not(::testing::ContainsRegex("[^a-z](nan|inf)[^a-z]")));
 }
 
 // A failure of several runs, one of a metric that has no meaning, and a number about the truth alone.
@@ -197,7 +197,7 @@ TEST(Probes, StandInTableAndFiguresWithTheirVonMisesError) {
 
 TEST(Verdict, SaysNoMoreOfUnstableRunsThanIsKnown) {
   EXPECT_THAT(verdict_of(evaluate(synthetic::input())).sentences,
-              testing::Contains("1 run is unstable: its step is beyond the limit."));
+              ::testing::Contains("1 run is unstable: its step is beyond the limit."));
 }
 
 TEST(Definitions, StandOnceAndTimesComeFromTheirMetrics) {
@@ -249,7 +249,7 @@ TEST_F(WriteReport, HostileNamesStayText) {
       EXPECT_THAT(text, Not(HasSubstr(",=cmd"))) << file;
     }
     if (file.extension() == ".md") {
-      EXPECT_THAT(text, Not(testing::ContainsRegex("[^\\]<script>"))) << file;
+      EXPECT_THAT(text, Not(::testing::ContainsRegex("[^\\]<script>"))) << file;
     }
     if (file.extension() == ".md") {
       EXPECT_THAT(text, Not(HasSubstr("\n# heading"))) << file;

@@ -10,8 +10,8 @@ namespace {
 
 using synthetic::full;
 using synthetic::reduced;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 // The time of the contender is the last of the records.
 void add(std::vector<Record>& records, const Contender& contender, double error, double time, double spread = 0,
@@ -41,7 +41,7 @@ TEST(PerturbedTimes, WidenTheRangeByWhatElseHadTheCore) {
   EXPECT_DOUBLE_EQ(own.ratio_low, calm.ratio_low);
   EXPECT_DOUBLE_EQ(own.ratio_high, 2 * calm.ratio_high);
   EXPECT_EQ(ratio_cell(own).text, "10.0 (9.05 to 22.1), perturbed");
-  EXPECT_THAT(limits_of(own), testing::Contains("run perturbed (busy 0.50)"));
+  EXPECT_THAT(limits_of(own), ::testing::Contains("run perturbed (busy 0.50)"));
   const SpeedUp rivals = first(a_pair("1", "0.5"));
   EXPECT_DOUBLE_EQ(rivals.ratio_low, calm.ratio_low / 2);
   EXPECT_DOUBLE_EQ(rivals.ratio_high, calm.ratio_high);
@@ -87,7 +87,7 @@ TEST(OtherMachines, GiveNoRival) {
   EXPECT_DOUBLE_EQ(first(records).ratio, 10);
   ReportInput input;
   input.records = records;
-  EXPECT_THAT(verdict_of(evaluate(input)).sentences, testing::Contains(HasSubstr("1 time taken on another machine")));
+  EXPECT_THAT(verdict_of(evaluate(input)).sentences, ::testing::Contains(HasSubstr("1 time taken on another machine")));
 }
 
 TEST(ErrorTarget, IsReachedWhereErrorAndBarAreWithinIt) {
@@ -99,8 +99,8 @@ TEST(ErrorTarget, IsReachedWhereErrorAndBarAreWithinIt) {
   ReportInput input;
   input.records = records;
   const Evaluation evaluation = evaluate(input);
-  EXPECT_THAT(verdict_of(evaluation).sentences, testing::Contains(HasSubstr("leaves open whether any reduced run is "
-                                                                            "within the target in 1 case")));
+  EXPECT_THAT(verdict_of(evaluation).sentences, ::testing::Contains(HasSubstr("leaves open whether any reduced run is "
+                                                                              "within the target in 1 case")));
   EXPECT_EQ(contenders_table(evaluation).rows.at(0).back().text, "open");
   EXPECT_EQ(contenders_table(evaluation).rows.at(1).back().text, "yes");
 }
@@ -135,8 +135,8 @@ TEST(EdgeOfASweep, CountsWhatWasTriedAndFailedButNoOtherIntegrator) {
   EXPECT_EQ(first(records).edge, "largest time step");
   ReportInput input;
   input.records = records;
-  EXPECT_THAT(verdict_of(evaluate(input)).sentences, testing::Contains(HasSubstr("1 has its rival at the edge")));
-  EXPECT_THAT(limits_of(first(records)), testing::Contains("rival at the edge of its sweep: largest time step"));
+  EXPECT_THAT(verdict_of(evaluate(input)).sentences, ::testing::Contains(HasSubstr("1 has its rival at the edge")));
+  EXPECT_THAT(limits_of(first(records)), ::testing::Contains("rival at the edge of its sweep: largest time step"));
   add(records, full(2, {1, 2}, 0.02), 5e-3, 1);
   records[records.size() - 2].status = "unstable";
   EXPECT_EQ(first(records).edge, "");
@@ -187,8 +187,8 @@ TEST(Verdict, OfRunsWithoutTimesClaimsNoSpeedUp) {
   std::erase_if(input.records, [](const Record& record) { return record.metric == "online-time"; });
   const Verdict verdict = verdict_of(evaluate(input));
   EXPECT_FALSE(verdict.is_timed);
-  EXPECT_THAT(verdict.sentences, testing::Contains("No run was timed: there are no speed-ups."));
-  EXPECT_THAT(verdict.sentences, testing::Not(testing::Contains(testing::HasSubstr("peed-up at"))));
+  EXPECT_THAT(verdict.sentences, ::testing::Contains("No run was timed: there are no speed-ups."));
+  EXPECT_THAT(verdict.sentences, ::testing::Not(::testing::Contains(::testing::HasSubstr("peed-up at"))));
 }
 
 }  // namespace

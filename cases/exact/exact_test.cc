@@ -13,7 +13,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using Change = std::function<void(Scene&)>;
 
 struct Wrong {

@@ -13,7 +13,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 Scene thrown(const Shape& shape, const Material& material, const Vector3d& position, const Vector3d& velocity) {
   Scene scene = one_body(shape, material, {1, {1}});

@@ -24,13 +24,13 @@ std::vector<std::string> stems(const std::string& extension) {
   return out;
 }
 
-std::string identifier(const testing::TestParamInfo<std::string>& info) {
+std::string identifier(const ::testing::TestParamInfo<std::string>& info) {
   std::string out = info.param;
   std::replace(out.begin(), out.end(), '-', '_');
   return out;
 }
 
-class BadCase : public testing::TestWithParam<std::string> {};
+class BadCase : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(BadCase, gives_exactly_the_expected_messages) {
   const std::string expected = test::content(bad_folder() / (GetParam() + ".expected"));
@@ -54,7 +54,7 @@ TEST_P(BadCase, messages_are_sorted_and_print) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, BadCase, testing::ValuesIn(stems(".toml")), identifier);
+INSTANTIATE_TEST_SUITE_P(Files, BadCase, ::testing::ValuesIn(stems(".toml")), identifier);
 
 TEST(BadCaseFolder, holds_pairs_of_at_least_sixty_wrong_files) {
   EXPECT_GE(stems(".toml").size(), 60u);

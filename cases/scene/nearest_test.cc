@@ -50,7 +50,7 @@ TEST(Utf8, refuses_overlong_surrogate_truncated_and_stray_bytes) {
   for (const std::string_view bytes :
        {"\xc0\x80", "\xc1\xbf", "\xe0\x80\xaf", "\xf0\x80\x80\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80",
         "\xf8\x88\x80\x80\x80", "\x80", "\xff", "\xe2\x82", "\xc3", "\xe2\x28\xa1"}) {
-    EXPECT_FALSE(decode(bytes, 0).valid) << testing::PrintToString(std::string(bytes));
+    EXPECT_FALSE(decode(bytes, 0).valid) << ::testing::PrintToString(std::string(bytes));
     EXPECT_EQ(decode(bytes, 0).bytes, 1u);
   }
 }

@@ -86,7 +86,7 @@ struct Row {
   std::string text(const std::string& column) const { return std::get<std::string>((*this)[column]); }
 };
 
-class AnalysesCases : public testing::Test {
+class AnalysesCases : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     const ScratchFolder scratch;

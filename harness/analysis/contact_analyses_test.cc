@@ -61,7 +61,7 @@ using Row = std::map<std::string, FindingCell>;
 double number(const Row& row, const std::string& column) { return std::get<double>(row.at(column)); }
 std::string text(const Row& row, const std::string& column) { return std::get<std::string>(row.at(column)); }
 
-class ContactAnalysesCases : public testing::Test {
+class ContactAnalysesCases : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     const ScratchFolder scratch;

@@ -7,7 +7,7 @@
 namespace mb {
 namespace {
 
-using testing::StartsWith;
+using ::testing::StartsWith;
 
 constexpr double rate = 960, F = 24;  // [1/s] 40 samples a frame
 const VectorXd t = VectorXd::LinSpaced(4 * 960 + 1, 0, 4);

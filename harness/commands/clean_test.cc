@@ -15,8 +15,8 @@ namespace mb {
 namespace {
 
 using test::told;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string old_hash(32, 'a'), strange_hash(32, 'b'), damaged_hash(32, 'c');
 
@@ -48,7 +48,7 @@ void write_run(const Store& store, const std::string& hash, const std::string& c
 
 // A folder with the case `small`, and a store with a current run, one that --set asked for, one of other sources, and a
 // current and an old truth.
-class CleanTest : public testing::Test {
+class CleanTest : public ::testing::Test {
  protected:
   CleanTest() {
     fs::create_directory(folder / "cases");
@@ -112,7 +112,7 @@ TEST_F(CleanTest, TablesOfOtherSettingsGoUnderTheirName) {
   table.case_name = "small", table.profile = "quick";
   table.columns = {{"a", ""}};
   store.write_findings(old_hash, {table});
-  EXPECT_THAT(clean({}).out, testing::ContainsRegex("1 file .* or of other settings, as `run --set` has them"));
+  EXPECT_THAT(clean({}).out, ::testing::ContainsRegex("1 file .* or of other settings, as `run --set` has them"));
 }
 
 TEST_F(CleanTest, WithYesWhatIsNotCurrentGoes) {

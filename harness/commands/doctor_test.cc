@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::told;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 Machine quiet() {
   return {.n_cores = 4,
@@ -43,13 +43,13 @@ std::vector<std::string> warnings(const Machine& machine) {
   return names;
 }
 
-TEST(DoctorTest, AQuietMachineIsWell) { EXPECT_THAT(warnings(quiet()), testing::IsEmpty()); }
+TEST(DoctorTest, AQuietMachineIsWell) { EXPECT_THAT(warnings(quiet()), ::testing::IsEmpty()); }
 
 TEST(DoctorTest, WhatTheMachineDoesNotTellIsNoWarning) {
   Machine silent = quiet();
   silent.load = silent.memory = silent.disk = std::nullopt;
   silent.governor = std::nullopt;
-  EXPECT_THAT(warnings(silent), testing::IsEmpty());
+  EXPECT_THAT(warnings(silent), ::testing::IsEmpty());
 }
 
 TEST(DoctorTest, EachFaultIsNamedAlone) {
@@ -58,7 +58,7 @@ TEST(DoctorTest, EachFaultIsNamedAlone) {
     change(machine);
     return warnings(machine);
   };
-  using testing::ElementsAre;
+  using ::testing::ElementsAre;
   EXPECT_THAT(fault([](Machine& m) { m.n_cores = 1; }), ElementsAre("cores"));
   EXPECT_THAT(fault([](Machine& m) { m.blas = "reference BLAS (slow)"; }), ElementsAre("BLAS"));
   EXPECT_THAT(fault([](Machine& m) { m.libraries = "GNU 12.2.0 Debug"; }), ElementsAre("libraries"));
@@ -121,7 +121,7 @@ TEST(DoctorTest, TellsATableAndJsonWithoutColour) {
   EXPECT_EQ(table.code, 0);
   for (const char* name : {"cores", "threads", "BLAS", "libraries", "clock noise", "load average", "disk"})
     EXPECT_THAT(table.out, HasSubstr(name));
-  EXPECT_THAT(table.out, testing::Not(HasSubstr("\x1b")));
+  EXPECT_THAT(table.out, ::testing::Not(HasSubstr("\x1b")));
   EXPECT_THAT(table.err, HasSubstr("warning"));
   const auto said = told(folder.path(), [](const Console& c) { return doctor_command({.json = true}, c); });
   const Json json = parse_json(said.out);

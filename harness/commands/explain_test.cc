@@ -15,7 +15,7 @@ namespace mb {
 namespace {
 
 using test::told;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 test::Told explain(const std::filesystem::path& folder, const std::string& word) {
   return told(folder, [&](const Console& c) { return explain_command({word}, default_catalogue(), c); });
@@ -97,7 +97,7 @@ TEST(ParagraphTest, BreaksLinesAndHidesWhatMovesTheCursor) {
   EXPECT_EQ(paragraph("one two three", "- ", "  ", 9), "- one two\n  three\n");
   EXPECT_EQ(paragraph("incomprehensible", "", "  ", 5), "incomprehensible\n");
   EXPECT_EQ(paragraph("\xc3\xa9\xc3\xa9 x", "", "", 4), "\xc3\xa9\xc3\xa9 x\n");  // two letters of two bytes
-  EXPECT_THAT(paragraph("a \x1b[31m b", "", ""), testing::Not(HasSubstr("\x1b")));
+  EXPECT_THAT(paragraph("a \x1b[31m b", "", ""), ::testing::Not(HasSubstr("\x1b")));
   EXPECT_EQ(paragraph("", "x", ""), "x\n");
 }
 

@@ -11,7 +11,7 @@ namespace mb {
 namespace {
 
 using test::told;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 test::Told list(const ScratchFolder& folder, const ListOptions& options) {
   return told(folder.path(), [&](const Console& c) { return list_command(options, default_catalogue(), c); });

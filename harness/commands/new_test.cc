@@ -12,7 +12,7 @@ namespace mb {
 namespace {
 
 using test::told;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string text_of(const std::filesystem::path& file) {
   std::ostringstream text;

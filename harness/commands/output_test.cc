@@ -12,7 +12,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 // The program with a full disk in the place of its output.
 Said onto_a_full_disk(const fs::path& folder, std::vector<std::string> words) {
@@ -24,13 +24,13 @@ Said onto_a_full_disk(const fs::path& folder, std::vector<std::string> words) {
   std::cout.flush(), std::fflush(stdout);
   const int output = ::dup(STDOUT_FILENO), full = ::open("/dev/full", O_WRONLY);
   ::dup2(full, STDOUT_FILENO);
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   const int code = harness_main(static_cast<int>(argv.size()), argv.data(), default_catalogue());
   ::dup2(output, STDOUT_FILENO);
   ::close(output), ::close(full);
   std::cout.clear(), std::clearerr(stdout);
   fs::current_path(before);
-  return {code, "", testing::internal::GetCapturedStderr()};
+  return {code, "", ::testing::internal::GetCapturedStderr()};
 }
 
 TEST(OutputTest, AFullDiskIsNoSuccess) {

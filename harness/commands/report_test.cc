@@ -13,7 +13,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 // A store that holds one mark of the case.
 void write_mark(const fs::path& file, const fs::path& store) {

@@ -17,7 +17,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 const std::string evil = "\x1b]0;PWNED\x07";
 

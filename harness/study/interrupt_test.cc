@@ -12,7 +12,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(InterruptCases, IsToldOnceAndHeardBetweenTruths) {
   const ScratchFolder scratch;

@@ -10,7 +10,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 // Where the other process's results come from, and where they go while a contender is computed.
 fs::path theirs, ours;

@@ -17,8 +17,8 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 TEST(Memory, IsWhatIsAvailableOrWhatTheControlGroupLeaves) {
   const ScratchFolder root;

@@ -8,8 +8,8 @@
 namespace mb {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 Scene overridden(const std::vector<std::string>& assignments) {
   const ScratchFolder scratch;
@@ -107,7 +107,7 @@ TEST(OverridesCases, TheSceneStaysAndSoDoItsTruths) {
   const Said said = modalbench(scratch.path(), {"run", "case.toml", "--set", "modal.modes=4,6"});
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.err, HasSubstr("1 runs done, 3 found"));
-  EXPECT_THAT(said.err, testing::Not(HasSubstr("truth Q")));
+  EXPECT_THAT(said.err, ::testing::Not(HasSubstr("truth Q")));
 }
 
 }  // namespace

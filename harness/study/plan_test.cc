@@ -11,7 +11,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 Scene scene_of(const std::string& content) {
   const ScratchFolder scratch;
@@ -24,7 +24,7 @@ TEST(PlanTest, EveryContenderOnceGroupedByMesh) {
   std::set<std::string> hashes, labels;
   for (const Job& job : all) hashes.insert(job.hash), labels.insert(job.label);
   EXPECT_EQ(hashes.size(), 4u);
-  EXPECT_TRUE(labels.contains("static-correction r=12 exact Q2 1x2")) << testing::PrintToString(labels);
+  EXPECT_TRUE(labels.contains("static-correction r=12 exact Q2 1x2")) << ::testing::PrintToString(labels);
 }
 
 TEST(PlanTest, PartsAreDisjointAndTogetherWhole) {
@@ -92,7 +92,7 @@ TEST(PlanCases, SeveralProcessesFindWhatOneFinds) {
   EXPECT_THAT(said.out, HasSubstr("holds small"));
   const Said plan = modalbench(scratch.path(), {"run", "case.toml", "--plan"});
   EXPECT_THAT(plan.out, HasSubstr("stored   small"));
-  EXPECT_THAT(plan.out, testing::Not(HasSubstr("to run")));
+  EXPECT_THAT(plan.out, ::testing::Not(HasSubstr("to run")));
 }
 
 TEST(PlanCases, SeveralProcessesShareAPart) {
@@ -102,7 +102,7 @@ TEST(PlanCases, SeveralProcessesShareAPart) {
   const Said said = modalbench(scratch.path(), line);
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.err, HasSubstr("[1/1]"));  // each of the two has one of the two jobs
-  EXPECT_THAT(said.err, testing::Not(HasSubstr("[1/2]")));
+  EXPECT_THAT(said.err, ::testing::Not(HasSubstr("[1/2]")));
   EXPECT_THAT(said.err, HasSubstr("0 runs done, 2 found"));
   auto again = line;
   again.push_back("--again");
@@ -142,10 +142,10 @@ TEST(PlanCases, MarksFirstTimesLater) {
   const auto plan = [&](const std::string& how) {
     return modalbench(scratch.path(), {"run", "case.toml", "--plan", how}).out;
   };
-  EXPECT_THAT(plan("--resume"), testing::Not(HasSubstr("stored")));  // their times are left to take
-  EXPECT_THAT(plan("--untimed"), testing::Not(HasSubstr("to run")));
-  EXPECT_THAT(plan("--again"), testing::Not(HasSubstr("stored")));
-  EXPECT_THAT(text(scratch / "results/results.jsonl"), testing::Not(HasSubstr("online-time")));
+  EXPECT_THAT(plan("--resume"), ::testing::Not(HasSubstr("stored")));  // their times are left to take
+  EXPECT_THAT(plan("--untimed"), ::testing::Not(HasSubstr("to run")));
+  EXPECT_THAT(plan("--again"), ::testing::Not(HasSubstr("stored")));
+  EXPECT_THAT(text(scratch / "results/results.jsonl"), ::testing::Not(HasSubstr("online-time")));
   ASSERT_EQ(modalbench(scratch.path(), {"run", "case.toml"}).code, 0);
   EXPECT_THAT(text(scratch / "results/results.jsonl"), HasSubstr("online-time"));
 }

@@ -10,8 +10,8 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 // By full order on a coarse mesh: what is kept does not depend on it.
 Trajectory answer(const Scene& scene) {
@@ -49,7 +49,7 @@ TEST(Storable, RefusesWhatIsWrittenButNeverRead) {
   EXPECT_NO_THROW(trajectory_of(content_of(kept)));
   const std::string samples = std::to_string(kept.t.size());
   EXPECT_THAT([&] { require_storable(scene, n - 1); },
-              ThrowsMessage<std::runtime_error>(testing::AllOf(
+              ThrowsMessage<std::runtime_error>(::testing::AllOf(
                   HasSubstr("keeps " + samples + " samples"), HasSubstr(std::to_string(n) + " in all"),
                   HasSubstr("takes " + std::to_string(n - 1)), HasSubstr("lower samples_per_second or duration"),
                   HasSubstr(std::to_string(kept.t.size() - 1) + " samples at most"))));

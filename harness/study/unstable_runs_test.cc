@@ -11,7 +11,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 // Twelve modes of a body of jelly, without damping: their limit is about 2/130 s, the duration 0.1 s.
 std::string stepped_case() {
@@ -32,7 +32,7 @@ time_steps = [1e-5, 1e-2]
   return all.insert(all.find(check), steppings);
 }
 
-class UnstableRunCases : public testing::Test {
+class UnstableRunCases : public ::testing::Test {
  protected:
   ScratchFolder scratch;
   Said run() {

@@ -13,7 +13,7 @@
 namespace mb {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string problem(const std::string& formula) { return expression_problem(formula, 1); }
 
@@ -74,7 +74,7 @@ TEST(ExpressionTest, MustBeFiniteAllTheTime) {
   EXPECT_THAT(problem("1/t"), HasSubstr("not finite at t = 0 s"));
   EXPECT_THAT(problem("sqrt(0.5-t)"), HasSubstr("not finite"));
   // the pole lies between any two samples; the search runs up to it, or into it
-  EXPECT_THAT(problem("1/(t-0.3)"), testing::AnyOf(HasSubstr("unbounded"), HasSubstr("not finite at t = 0.3")));
+  EXPECT_THAT(problem("1/(t-0.3)"), ::testing::AnyOf(HasSubstr("unbounded"), HasSubstr("not finite at t = 0.3")));
   EXPECT_THAT(problem("tan(pi*t)"), HasSubstr("unbounded"));
   EXPECT_THAT(problem("exp(1000*t)"), HasSubstr("not finite"));
   EXPECT_EQ(problem("1/(t+0.01)"), "");
@@ -91,7 +91,7 @@ TEST(ExpressionTest, IsFiniteAtEveryTimeThatIsAskedFor) {
   EXPECT_EQ(expression_problem(narrow, 1, {0, 0.01, 0.02, 1}), "");
   EXPECT_THAT(expression_problem(narrow, 1, {0, 0.0123456, 1}), HasSubstr("not finite at t = 0.0123456 s"));
   EXPECT_THAT([&] { segments(Expression{narrow}, 1); },
-              testing::ThrowsMessage<std::domain_error>(HasSubstr("is not finite at t = 0.01234")))
+              ::testing::ThrowsMessage<std::domain_error>(HasSubstr("is not finite at t = 0.01234")))
       << "the closed form looks closer where the function bends";
 }
 
