@@ -5,7 +5,8 @@
 
 set(MODALBENCH_SANITIZE "" CACHE STRING "Sanitizers to compile with: address, undefined (comma-separated)")
 set(MODALBENCH_LAUNCHER "" CACHE STRING "What unit tests are run by: valgrind with its options (see the preset `valgrind`)")
-set(MODALBENCH_TESTS_AT_ONCE 8 CACHE STRING "Sources of tests that are compiled as one (see join_tests.cmake)")
+set(MODALBENCH_AT_ONCE 8 CACHE STRING "Sources that are compiled as one, 1: each by itself (see JoinSources.cmake)")
+include(JoinSources)
 option(MODALBENCH_FUZZ "Instrument for libFuzzer and define its targets (clang++; see the preset `fuzz`)" OFF)
 option(MODALBENCH_NATIVE "Compile for this machine's processor (-march=native)" OFF)
 
@@ -65,7 +66,8 @@ function(mb_library name)
   cmake_parse_arguments(ARG "" "" "LINK;PRIVATE_LINK;HEADERS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cc)
   list(FILTER sources EXCLUDE REGEX "_(test|bench|main|fuzz)\\.cc$")
-  add_library(mb_${name} STATIC ${sources})
+  mb_join_sources(joined ${sources})
+  add_library(mb_${name} STATIC ${joined})
   set_target_properties(mb_${name} PROPERTIES EXPORT_NAME ${name})
   target_precompile_headers(mb_${name} PRIVATE ${MODALBENCH_COMMON_HEADERS} ${ARG_HEADERS})
   # A folder's own libraries come first on the link line: deal.II brings another build of HDF5 with the same symbols.
@@ -74,6 +76,8 @@ function(mb_library name)
   endforeach()
   target_link_libraries(mb_${name} PUBLIC mb_options ${ARG_LINK})
   target_link_libraries(mb_${name} PRIVATE $<BUILD_INTERFACE:mb_warnings>)
+  # g++ takes joined sources for headers, whose unnamed namespaces would be one a file.
+  target_compile_options(mb_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
 set(MODALBENCH_PATIENCE 1)   # times the limits of tests [s]
@@ -89,14 +93,14 @@ if(BUILD_TESTING)
   add_custom_target(unit_tests)   # every test binary
 endif()
 
-# mb_join_tests(JOINED SOURCE...): sources of MODALBENCH_TESTS_AT_ONCE tests' each, made in the build folder, and those
+# mb_join_tests(JOINED SOURCE...): sources of MODALBENCH_AT_ONCE tests' each, made in the build folder, and those
 # that have no test but what tests share, as they are.
 function(mb_join_tests joined)
   set(tests "")
   set(files "")
   foreach(source IN LISTS ARGN)
     file(STRINGS ${source} found REGEX "^(TEST|TYPED_TEST)" LIMIT_COUNT 1)
-    if(found AND MODALBENCH_TESTS_AT_ONCE GREATER 1)
+    if(found AND MODALBENCH_AT_ONCE GREATER 1)
       list(APPEND tests ${source})
     else()
       list(APPEND files ${source})
@@ -105,14 +109,14 @@ function(mb_join_tests joined)
   set(first 0)
   list(LENGTH tests n)
   while(first LESS n)
-    list(SUBLIST tests ${first} ${MODALBENCH_TESTS_AT_ONCE} some)
+    list(SUBLIST tests ${first} ${MODALBENCH_AT_ONCE} some)
     list(JOIN some "," words)
     set(file ${CMAKE_CURRENT_BINARY_DIR}/tests_from_${first}.cc)
     add_custom_command(OUTPUT ${file} VERBATIM DEPENDS ${some} ${PROJECT_SOURCE_DIR}/cmake/join_tests.cmake
       COMMAND ${CMAKE_COMMAND} -DOUT=${file} -DFIRST=${first} -DSOURCES=${words}
         -P ${PROJECT_SOURCE_DIR}/cmake/join_tests.cmake)
     list(APPEND files ${file})
-    math(EXPR first "${first} + ${MODALBENCH_TESTS_AT_ONCE}")
+    math(EXPR first "${first} + ${MODALBENCH_AT_ONCE}")
   endwhile()
   set(${joined} ${files} PARENT_SCOPE)
 endfunction()

@@ -12,7 +12,7 @@ std::vector<std::string> linear_warnings(const std::vector<Record>& records, con
   for (const Record& record : records) {
     if (record.case_name != scene.name || record.profile != scene.profile || record.status != "ok") continue;
     const bool strain = record.metric == "truth-strain", rotation = record.metric == "truth-rotation";
-    const double limit = strain ? linear_strain : linear_rotation;
+    const double limit = strain ? strain_limit : rotation_limit;
     if ((!strain && !rotation) || !(record.value > limit)) continue;
     const auto body = std::ranges::find(scene.bodies, record.subject, &Body::name);
     const bool finite = body != scene.bodies.end() && body->kinematics == Kinematics::finite;

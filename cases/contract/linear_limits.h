@@ -5,7 +5,7 @@
 
 namespace mb {
 
-inline constexpr double linear_strain = 0.01;   // [-] largest principal strain
-inline constexpr double linear_rotation = 0.1;  // [rad] of a piece of the body, rigid motion taken out
+inline constexpr double strain_limit = 0.01;   // [-] largest principal strain
+inline constexpr double rotation_limit = 0.1;  // [rad] of a piece of the body, rigid motion taken out
 
 }  // namespace mb

@@ -90,7 +90,7 @@ std::vector<Finding> linearity(const AnalysisContext& context) {
   if (!(of_u > 0)) throw std::invalid_argument("linearity: nothing moves");
   const MetricContext metric{scene, 0, body.model.points, false};
   const double strain = largest_strain(linear, metric), rotation = largest_rotation(linear, metric);
-  const bool warned = strain > linear_strain || rotation > linear_rotation;
+  const bool warned = strain > strain_limit || rotation > rotation_limit;
   Finding found = linearity_table();
   found.rows.push_back({count(body.modes.size()), strain, rotation, std::sqrt(of_2 / of_u), std::sqrt(of_3 / of_u),
                         std::sqrt(of_sum / of_u), std::sqrt(of_error / of_u), std::sqrt(of_sum / of_error),
