@@ -108,7 +108,8 @@ TEST(File, AWriterThatIsKilledLeavesAWholeFile) {
   for (int i = 0; i < 15; ++i) {
     const pid_t writer = ::fork();
     ASSERT_GE(writer, 0);
-    for (int k = 0; writer == 0; ++k) write_file(file, contents[k % 2]);
+    if (writer == 0)
+      for (int k = 0;; ++k) write_file(file, contents[k % 2]);
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 20000));
     ::kill(writer, SIGKILL);
     ::waitpid(writer, nullptr, 0);
