@@ -1,13 +1,15 @@
 # mb_join_sources(JOINED SOURCE...): sources of MODALBENCH_AT_ONCE each, made in the build folder, which share the parsing
-# of headers and what templates they instantiate: half of the time to compile. Those that define macros stay alone.
+# of headers and what templates they instantiate. Those that define macros stay alone.
 #
 # What is in one file's unnamed namespace is seen by those after it. Files are joined only where no such name of one
 # occurs in another, in any sense: none is then hidden, ambiguous, or found in the place of what was meant. Headers come
-# first, before any of these names. Grouping is done when CMake runs; a name that is new since then and collides ends
-# the build, `cmake build/native` groups anew.
+# first, before any of these names. Names are read line by line, in clang-format's layout: of a declaration over several
+# lines, or of several variables with constructors' brackets, the first alone. What is not seen and collides is an error
+# of the compiler (redefinition, -Wshadow), and so is a name that is new since CMake ran: `cmake build/native` groups
+# anew.
 include_guard()
 
-# names_(I SOURCE): helpers_I, the names in unnamed namespaces, one line in column 0 each; word_I_X for every word X;
+# mb_names(I SOURCE): helpers_I, the names in unnamed namespaces, one line in column 0 each; word_I_X for every word X;
 # includes_I.
 macro(mb_names i source)
   file(READ ${source} text)
