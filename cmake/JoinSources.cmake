@@ -1,5 +1,5 @@
-# mb_join_sources(JOINED SOURCE...): sources of MODALBENCH_AT_ONCE each, made in the build folder, which share the parsing
-# of headers and what templates they instantiate. Those that define macros stay alone.
+# mb_join_sources(JOINED SOURCE...): sources of MODALBENCH_AT_ONCE each, made in the build folder, which share the
+# parsing of headers and what templates they instantiate. Those that define macros stay alone.
 #
 # What is in one file's unnamed namespace is seen by those after it. Files are joined only where no such name of one
 # occurs in another, in any sense: none is then hidden, ambiguous, or found in the place of what was meant. Headers come
@@ -75,17 +75,7 @@ function(mb_join_sources joined)
       continue()
     endif()
     mb_names(${i} ${source})
-    set(group 0)
-    while(group LESS n_groups)
-      list(LENGTH members_${group} n)
-      if(n LESS MODALBENCH_AT_ONCE)
-        mb_may_join(fits ${i} ${members_${group}})
-        if(fits)
-          break()
-        endif()
-      endif()
-      math(EXPR group "${group} + 1")
-    endwhile()
+    mb_group_for(group ${i})
     if(group EQUAL n_groups)
       math(EXPR n_groups "${n_groups} + 1")
     endif()
@@ -93,15 +83,34 @@ function(mb_join_sources joined)
     set(source_${i} ${source})
     math(EXPR i "${i} + 1")
   endforeach()
-  math(EXPR last "${n_groups} - 1")
-  foreach(group RANGE ${last})
+  set(group 0)
+  while(group LESS n_groups)
     mb_write_joined(file ${group} ${members_${group}})
     list(APPEND files ${file})
-  endforeach()
+    math(EXPR group "${group} + 1")
+  endwhile()
   set(${joined} ${files} PARENT_SCOPE)
 endfunction()
 
-# May the I-th source stand with MEMBER...? (In the scope of mb_join_sources, whose words and helpers it reads.)
+# The following read the words, helpers and groups of mb_join_sources, in whose scope they are called.
+
+# The first group with room in which the I-th source may stand; n_groups where there is none.
+function(mb_group_for found i)
+  set(group 0)
+  while(group LESS n_groups)
+    list(LENGTH members_${group} n)
+    if(n LESS MODALBENCH_AT_ONCE)
+      mb_may_join(fits ${i} ${members_${group}})
+      if(fits)
+        break()
+      endif()
+    endif()
+    math(EXPR group "${group} + 1")
+  endwhile()
+  set(${found} ${group} PARENT_SCOPE)
+endfunction()
+
+# May the I-th source stand with MEMBER...?
 function(mb_may_join fits i)
   set(${fits} OFF PARENT_SCOPE)
   foreach(member IN LISTS ARGN)
