@@ -49,6 +49,13 @@ double pressed_radius(const PressedModes& pressed, const std::string& scheme, do
   throw std::invalid_argument("no scheme '" + scheme + "' steps in contact");
 }
 
+double opening_gain(double kappa, double m, double h) {
+  const double g = kappa * h * h / (4 * m);
+  return g < 1 ? g / (1 - g) : std::numeric_limits<double>::infinity();
+}
+
+double opening_limit(double kappa, double m, double gain) { return std::sqrt(4 * m / kappa * gain / (1 + gain)); }
+
 std::vector<double> resonances(const PressedModes& p, double most) {
   std::vector<double> all;
   const VectorXd omega = p.lambda.cwiseSqrt();

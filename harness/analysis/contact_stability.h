@@ -6,6 +6,9 @@
 // the spectral radius of the step passes 1, contact feeds energy: symplectic Euler beyond one step, at about 2/omega of
 // the stiffened modes, average acceleration nowhere (mechanics/system/one_step.h). Kicks between closed forms do so in
 // windows, too, about the steps at which two of them come round together, h (omega_i + omega_j) = 2 pi k.
+//
+// What average acceleration gains is gained where the layer opens within a step: the trapezoidal rule takes its work
+// kappa delta^2/2 for kappa delta Delta/2, Delta the way of the step, at most kappa Delta^2/8 too much.
 #pragma once
 
 #include <string>
@@ -28,6 +31,15 @@ double pressed_radius(const PressedModes& pressed, const std::string& scheme, do
 // from 1e-4 of it on. Kicks are tried at steps 3 % apart and at resonances(), so that a window is missed only where it
 // is narrower than that and first order in the layer puts it elsewhere; the others, which know no windows, 15 % apart.
 double pressed_limit(const PressedModes& pressed, const std::string& scheme, double most);
+
+// The most that average acceleration gains where the layer opens, of m v^2/2, and the step [s] at which that is `gain`:
+//
+//   gain = g/(1 - g),   g = kappa h^2/(4 m)
+//
+// since Delta = h (v0 + v1)/2 is at most h v1, the speed with the gain. Infinity for g >= 1. Of a rigid mass m [kg] > 0
+// that starts where it touches; kappa [N/m], h [s], gain [-] > 0.
+double opening_gain(double kappa, double m, double h);
+double opening_limit(double kappa, double m, double gain);
 
 // Middles [s] of those windows of kicks between closed forms that are narrower than 2 %, below `most`, ascending: with
 // omega' = omega + kappa g^2/(2 omega)

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "cases/scene/printable.h"
@@ -14,6 +13,7 @@
 #include "harness/study/estimate.h"
 #include "harness/study/front.h"
 #include "harness/study/identity.h"
+#include "harness/study/instability.h"
 #include "harness/study/memory.h"
 #include "harness/study/step_growth.h"
 #include "harness/study/stored.h"
@@ -23,19 +23,6 @@ namespace mb {
 namespace {
 
 constexpr std::size_t most_told = 1000;  // [bytes] of a failure's reason
-constexpr double blown_up = 1e3;         // [-] error of a finite answer that has left the truth behind
-// [-] of free vibration over the run, by theory: what small answers of so unstable steps show is how little was there
-// to grow. Below it steps past their limit may be accurate: undamped explicit Euler's all are past it.
-constexpr double grown = 10;
-
-// What a step beyond its limit does to an explicit integrator is a result with a name of its own. growth: by theory.
-void name_instability(std::vector<Record>& marks, const Integrator& integrator, double growth) {
-  const bool blew_up = std::ranges::any_of(marks, [](const Record& r) {
-    return r.status == "not_finite" || (r.metric == "displacement-error" && r.value > blown_up);
-  });
-  if (!integrator.conditionally_stable || !(blew_up || growth > grown)) return;
-  for (Record& record : marks) record.status = "unstable", record.value = std::numeric_limits<double>::quiet_NaN();
-}
 
 // Whether the answer is one: what failed, or grew beyond its limit, leaves no numbers behind.
 bool is_answer(const Trajectory& answer, const std::vector<Record>& marks) {
@@ -200,7 +187,8 @@ class CaseRun {
   std::vector<Record> marks(const Grader& grader, const Record& record, const ReadyContender& ready) const {
     const Trajectory answer = ready.prepared->simulate({.t = sample_times(*scene_)});
     std::vector<Record> records = grader.marks(record, answer);
-    name_instability(records, catalogue_.integrator(record.contender.integrator), growth(record.contender, ready));
+    const Integrator& integrator = catalogue_.integrator(record.contender.integrator);
+    if (is_past_its_limit(records, *scene_, integrator, growth(record.contender, ready))) name_unstable(records);
     if (is_answer(answer, records))
       store_.write_trajectory(record.run,
                               thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));

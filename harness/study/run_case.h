@@ -25,11 +25,9 @@ struct CaseOutcome {
 };
 
 // Records, trajectories, times and tables go to the store, one file each. A contender's failure is a record with a
-// status, an analysis' failure a table whose note says so. A run is "unstable", without a value or a trajectory, where
-// its integrator is conditionally stable and the answer is not finite, or more than 1000 off the truth, or free
-// vibration would grow more than tenfold over the duration by theory (step_growth.h), however small the run stayed.
-// Throws where the truth fails: one record, under the truth's own name, says so. What is estimated to take more memory
-// than there is fails before it is allocated.
+// status, an analysis' failure a table whose note says so. A run past the limit of its step is
+// "unstable", without a value or a trajectory (instability.h). Throws where the truth fails: one record, under the
+// truth's own name, says so. What is estimated to take more memory than there is fails before it is allocated.
 CaseOutcome run_case(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
                      const RunOptions& options, const Progress& progress);
 

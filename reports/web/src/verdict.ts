@@ -58,7 +58,7 @@ function tiles(report: Report): HTMLElement {
     tile(
       String(v.failed_runs),
       'failed runs',
-      `of ${contenders} contenders` + (v.unstable_runs ? `; ${v.unstable_runs} explicit unstable` : ''),
+      `of ${contenders} contenders` + (v.unstable_runs ? `; ${v.unstable_runs} unstable` : ''),
       v.failed_runs ? 'bad' : contenders ? 'good' : 'plain',
     ),
     tile(
