@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "reports/figures.h"
 #include "reports/render.h"
 #include "reports/synthetic.h"
@@ -126,6 +128,31 @@ TEST(FindingFigures, AreDrawnOfTheColumnsTheyNeedAndElseNotAtAll) {
     for (FindingColumn& column : finding.columns) column.name += "?";
     EXPECT_TRUE(finding_figures(finding).empty()) << finding.name;
   }
+}
+
+// Of what a limit does not exist no line is drawn.
+TEST(FindingFigures, MapsOfContactDrawBothLimits) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Finding map = synthetic::finding("drop", "contact-stability", "contact-stability",
+                                   {{"integrator", ""},
+                                    {"stiffness factor", "-"},
+                                    {"dt", "s"},
+                                    {"found", ""},
+                                    {"limit", "s"},
+                                    {"opening limit", "s"}});
+  map.rows = {{"exact", 1.0, 1e-3, "stable", 2e-3, 1e-3}, {"newmark", 1.0, 1e-3, "unstable", none, 1e-3}};
+  const std::vector<Figure> figures = finding_figures(map);
+  ASSERT_EQ(figures.size(), 2u);
+  EXPECT_EQ(figures[0].name, "contact-stability-exact");
+  for (const Figure& figure : figures) {
+    const Json& layers = figure.specification["layer"];
+    ASSERT_EQ(layers.size(), 3u);
+    EXPECT_EQ(layers[1]["encoding"]["x"]["field"], "limit");
+    EXPECT_EQ(layers[2]["encoding"]["x"]["field"], "opening limit");
+  }
+  EXPECT_TRUE(figures[0].specification["data"]["values"][0].contains("limit"));
+  EXPECT_FALSE(figures[1].specification["data"]["values"][0].contains("limit"));
+  EXPECT_TRUE(figures[1].specification["data"]["values"][0].contains("opening limit"));
 }
 
 TEST(FindingFigures, TitlesTellThemApart) {

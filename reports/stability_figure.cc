@@ -43,6 +43,13 @@ Json data_of(const Finding& finding, const std::string& integrator) {
 
 namespace {
 
+// A limit over y, where there is one.
+Json boundary(const char* column, const Json& dash, const char* y_name, const Json& y) {
+  const Json line = {{"type", "line"}, {"color", "#000000"}, {"strokeDash", dash}, {"point", true}};
+  return layer(line, {{"x", logarithmic(column, "step [s]")}, {"y", y}, {"order", plain(y_name, "")}},
+               std::string("isValid(datum['") + column + "'])");
+}
+
 // Over y, by whatever column of the map.
 std::vector<Figure> maps_over(const Finding& finding, const char* y_name, const char* y_title,
                               const std::string& title) {
@@ -55,11 +62,9 @@ std::vector<Figure> maps_over(const Finding& finding, const char* y_name, const 
                               {"y", y},
                               {"color", by_class("range", colours)},
                               {"shape", by_class("range", shapes)}});
-    const Json line = {{"type", "line"}, {"color", "#000000"}, {"strokeDash", {6, 3}}, {"point", true}};
-    const Json limit = layer(line, {{"x", logarithmic("limit", "step [s]")}, {"y", y}, {"order", plain(y_name, "")}},
-                             "isValid(datum.limit)");
-    Json map = specification(integrator + ": " + title, data_of(finding, integrator), Json::array(),
-                             Json::array({cells, limit}));
+    Json layers = Json::array({cells, boundary("limit", {6, 3}, y_name, y)});
+    if (has(finding, {"opening limit"})) layers.push_back(boundary("opening limit", {2, 2}, y_name, y));
+    Json map = specification(integrator + ": " + title, data_of(finding, integrator), Json::array(), std::move(layers));
     map["title"] = integrator + ": ";
     all.push_back({finding.name + "-" + integrator, std::move(map)});
   }
@@ -75,7 +80,8 @@ std::vector<Figure> stability_figures(const Finding& finding) {
 
 std::vector<Figure> contact_stability_figures(const Finding& finding) {
   return maps_over(finding, "stiffness factor", "stiffness of the layer over the scene's",
-                   "stable, inaccurate and unstable steps in contact; dashes the limit by one linearised step");
+                   "stable, inaccurate and unstable steps in contact; dashes the limit by one linearised step, "
+                   "dots that by what is gained where the layer opens");
 }
 
 }  // namespace mb

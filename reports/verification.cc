@@ -56,7 +56,10 @@ Sheet verification_table(const Evaluation& evaluation) {
           "is that, and what came out. Uncertainty: in the unit of the result; of truths in full order the "
           "distance between two meshes and between two tolerances, which is not less than Richardson's "
           "estimate where r^p is at least 2, r the ratio of the meshes and p the order: an order of 1 where "
-          "cells are halved, of 1.7 where there are half as many again; of closed forms that of their "
+          "cells are halved, of 1.7 where there are half as many again. Where the degree goes from n to n + 1 instead, "
+          "errors fall by ((n + 1)/n)^2p at the edges of supports and loads, p the order in the cells' size there "
+          "(Babuska and Suri 1987), and faster elsewhere: enough from 2 to 3 for p of 0.9, from 3 to 4 for p of 1.2. "
+          "Where only the cells about a contact are halved, the distance is that part's. Of closed forms that of their "
           "series. A check holds only where every value within it is inside the tolerance.",
       .columns = {},
       .rows = {},

@@ -64,10 +64,10 @@
 //   contact-conditions        contact | contender | modes r | condition of start | ... of duration |
 //                             ... of peak force | ... of impulse
 //   contact-stability         integrator | stiffness factor | dt | dt / limit | spectral radius | energy |
-//                             peak force error | impulse error | found | limit | verdict
+//                             peak force error | impulse error | found | limit | opening limit | verdict
 //   contact-stability-summary integrator | cells | stable | inaccurate | unstable |
 //                             unstable within the limit | bounded beyond the limit | too short to be seen |
-//                             touch missed | error at the least step | order | standard error
+//                             touch missed | unstable from | error at the least step | order | standard error
 //   contact-meetings          obstacle | law | stiffness | stated | E* | a | k a/E* | first touch | speed | approach |
 //                             duration | force
 //   contact-geometry          method | modes r | degree | coefficients | kept | condition | residual | worst mode |

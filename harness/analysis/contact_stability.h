@@ -7,7 +7,7 @@
 // the stiffened modes, average acceleration nowhere (mechanics/system/one_step.h). Kicks between closed forms do so in
 // windows, too, about the steps at which two of them come round together, h (omega_i + omega_j) = 2 pi k.
 //
-// What average acceleration gains is gained where the layer opens within a step: the trapezoidal rule takes its work
+// Within that limit, too, energy is gained where the layer opens within a step: the trapezoidal rule takes its work
 // kappa delta^2/2 for kappa delta Delta/2, Delta the way of the step, at most kappa Delta^2/8 too much.
 #pragma once
 
@@ -32,12 +32,15 @@ double pressed_radius(const PressedModes& pressed, const std::string& scheme, do
 // is narrower than that and first order in the layer puts it elsewhere; the others, which know no windows, 15 % apart.
 double pressed_limit(const PressedModes& pressed, const std::string& scheme, double most);
 
-// The most that average acceleration gains where the layer opens, of m v^2/2, and the step [s] at which that is `gain`:
+// The most that is gained where the layer opens, of m v^2/2, by each of the schemes, and the step [s] at which that is
+// `gain`:
 //
 //   gain = g/(1 - g),   g = kappa h^2/(4 m)
 //
-// since Delta = h (v0 + v1)/2 is at most h v1, the speed with the gain. Infinity for g >= 1. Of a rigid mass m [kg] > 0
-// that starts where it touches; kappa [N/m], h [s], gain [-] > 0.
+// of average acceleration since Delta = h (v0 + v1)/2 is at most h v1, the speed with the gain; of kicks between drifts
+// and of symplectic Euler since from the touch on u_n = A sin n theta, sin^2(theta/2) = g, and what leaves is at most
+// 1/cos(theta/2) as fast as what came. Infinity for g >= 1. Of a rigid mass m [kg] > 0 that starts where it touches;
+// kappa [N/m], h [s], gain [-] > 0.
 double opening_gain(double kappa, double m, double h);
 double opening_limit(double kappa, double m, double gain);
 

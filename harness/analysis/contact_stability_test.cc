@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -71,34 +70,11 @@ TEST(ContactStability, EveryResonanceOfTwoModesIsUnstableUnlessDamped) {
   EXPECT_TRUE(std::isinf(pressed_limit(two, "exact", 2)));
 }
 
-// Kinetic energy after a touch over that before it, of a rigid mass on a layer that does not pull, by average
-// acceleration from the touch on; x = omega h.
-double returned_energy(double x) {
-  double u = 0, v = -1, a = 0;  // h = 1, m = 1, kappa = x^2
-  while (true) {
-    const double pressed = (v + (a - x * x * (u + v / 2)) / 2) / (1 + x * x / 4);
-    const bool opens = u + (v + pressed) / 2 >= 0;
-    const double next = opens ? v + a / 2 : pressed;
-    u += (v + next) / 2;
-    v = next;
-    if (opens) return v * v;
-    a = -x * x * u;
-  }
-}
-
-TEST(ContactStability, WhatAverageAccelerationGainsWhereALayerOpensIsBounded) {
-  double most = 0;
-  for (double x = 0.05; x < 1.2; x *= 1.0005) {
-    const double gain = returned_energy(x) - 1, bound = opening_gain(x * x, 1, 1);
-    EXPECT_GE(gain, -1e-12) << x;  // rounding of some hundred steps; it never loses
-    EXPECT_LE(gain, bound + 1e-12) << x;
-    most = std::max(most, gain / bound);
-  }
-  EXPECT_GT(most, 0.99);  // some steps end the touch half way, where the bound is met
-}
-
+// The steppers themselves are held to the bound by ContactStep.WhatOpensWithinAStepGainsUpToItsBound.
 TEST(ContactStability, TheStepOfAGainGainsIt) {
   EXPECT_NEAR(opening_gain(8e5, 2, opening_limit(8e5, 2, 0.1)), 0.1, 1e-15);
+  const double theta = 2 * std::asin(std::sqrt(8e5 * 1e-3 * 1e-3 / (4 * 2)));  // of kicks: 1/cos^2(theta/2) - 1
+  EXPECT_NEAR(opening_gain(8e5, 2, 1e-3), std::pow(std::cos(theta / 2), -2) - 1, 1e-15);
   EXPECT_NEAR(opening_limit(8e5, 2, 1e9), 2 / std::sqrt(8e5 / 2), 1e-9);
   EXPECT_TRUE(std::isinf(opening_gain(8e5, 2, 1.001 * 2 / std::sqrt(8e5 / 2))));
 }

@@ -113,9 +113,11 @@ const std::vector<TablesOfAnalysis>& entries() {
         {"contact-samples", settings}}},
       {"contact-stability",
        {{"contact-stability",
-         {"spectral radius of one linearised step", "property", "a class has none; steps as in the first column"}},
+         {"spectral radius of one linearised step; work of a layer that opens", "property",
+          "a class has none; steps as in the first column"}},
         {"contact-stability-summary",
-         {"spectral radius of one linearised step; of errors the closed form at half the least step", "property",
+         {"spectral radius of one linearised step; work of a layer that opens; of errors kicks at half the least step",
+          "property",
           "counts; errors of order 1 are told half as large as they are, of order 2 by a quarter less; of the order as "
           "the bars say"}}}},
       {"flight-cost", {{"flight-cost", time}, {"flight-cost-exponents", fitted}}},

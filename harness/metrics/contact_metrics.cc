@@ -134,6 +134,12 @@ double energy_gain(const Trajectory& answer, const Trajectory&, const MetricCont
   return ratio(std::max(0.0, (kept.array() - kept[0]).maxCoeff()), energy_brought(answer, context));
 }
 
+bool is_isolated(const Scene& scene) {
+  const auto stands = [](const Support& support) { return !support.drive; };
+  return scene.loads.empty() &&
+         std::ranges::all_of(scene.bodies, [&](const Body& b) { return std::ranges::all_of(b.supports, stands); });
+}
+
 // Damping of the body and loads take and bring what is not in the sum.
 bool keeps_energy(const MetricContext& context) {
   const auto undamped = [](const Body& b) {
@@ -198,6 +204,16 @@ const Body* free_partner(const Scene& scene, const Body& b) {
 
 }  // namespace
 
+double energy_fed(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
+  if (!is_isolated(context.scene)) return nan;
+  VectorXd sum = VectorXd::Zero(answer.t.size());
+  for (const BodyTrajectory& b : answer.bodies) {
+    if (b.energy.size() != sum.size()) return nan;
+    sum += b.energy;
+  }
+  return ratio((sum.array() - sum[0]).maxCoeff(), energy_brought(truth, context));
+}
+
 double restitution(const Scene& scene, const Body& b, const Touch& touch) {
   if (!std::isfinite(touch.end)) return nan;
   if (const Obstacle* obstacle = striker_of(scene, b)) {
@@ -245,12 +261,14 @@ std::vector<Metric> contact_metrics() {
             "never touches.",
             &n_touches),
       alone("energy-gain",
-            "Largest gain of energy, losses in contact added back, by the kinetic energy at the first touch.",
+            "Largest gain of energy, losses in contact added back, by the largest energy in play: kinetic at the first "
+            "touch, stored in contacts, or work of the weight.",
             &energy_gain),
-      alone("energy-defect",
-            "Energy gained or lost from the first time to the last, losses in contact added back, by the kinetic "
-            "energy at the first touch; bodies without damping or loads.",
-            &energy_defect),
+      alone(
+          "energy-defect",
+          "Energy gained or lost from the first time to the last, losses in contact added back, by the largest energy "
+          "in play, as of energy-gain; bodies without damping or loads.",
+          &energy_defect),
       alone("momentum-defect",
             "How far the centroid is from where weight and contact impulses take it, by the way that the impulses "
             "make, by the shape's own mass: a mesh that lacks volume shows it; free bodies.",

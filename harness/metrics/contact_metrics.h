@@ -33,4 +33,10 @@ std::optional<FirstContact> first_contact(const std::vector<Touch>& touches, con
 // NaN while the touch lasts. m of a body is that of its shape: a mesh that lacks volume rebounds faster.
 double restitution(const Scene& scene, const Body& body, const Touch& touch);
 
+// Energy that nothing brought: max_t E(t) - E(0) of the answer, E kinetic, elastic, of the weight and stored in
+// contacts of all bodies, by what the truth brought to the contact, max(m v^2/2 at the first touch, stored there, work
+// of the weight). Dissipation only lowers E: above 0 is an error of the steps. NaN where loads or moving supports bring
+// energy, or it was not recorded.
+double energy_fed(const Trajectory& answer, const Trajectory& truth, const MetricContext& context);
+
 }  // namespace mb

@@ -124,6 +124,26 @@ TEST(ContactMetrics, EnergyGainByHand) {
   EXPECT_EQ(value("energy-gain", a, a, s.context()), 0);
 }
 
+TEST(ContactMetrics, EnergyFedByHand) {
+  Setting s = setting();
+  Trajectory a = answer(s), truth = a;
+  EXPECT_EQ(energy_fed(a, truth, s.context()), 0);
+  a.bodies[0].energy.setConstant(100);  // what contacts lose without its going down is no growth
+  EXPECT_EQ(energy_fed(a, truth, s.context()), 0);
+  a.bodies[0].energy[3] = 113.5;  // by 27 J, see above
+  EXPECT_NEAR(energy_fed(a, truth, s.context()), 0.5, 1e-14);
+  contact(a).stored[2] = 540;  // by what ought to be in play, not by what is
+  EXPECT_NEAR(energy_fed(a, truth, s.context()), 0.5, 1e-14);
+  contact(truth).stored[2] = 54;
+  EXPECT_NEAR(energy_fed(a, truth, s.context()), 0.25, 1e-14);
+  Setting loaded = s, driven = s;
+  loaded.scene.loads = {{"push", Step{}, {}}};
+  driven.scene.bodies[0].supports = {{Support::Kind::driven, {}, Drive{}}};
+  for (const Setting& other : {loaded, driven}) EXPECT_TRUE(std::isnan(energy_fed(a, truth, other.context())));
+  a.bodies[0].energy.resize(0);
+  EXPECT_TRUE(std::isnan(energy_fed(a, truth, s.context())));
+}
+
 TEST(ContactMetrics, EnergyDefectByHand) {
   Setting s = setting();
   Trajectory a = answer(s);

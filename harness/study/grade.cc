@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/metrics/contact_metrics.h"
 #include "harness/study/plan.h"
 
 namespace mb {
@@ -84,6 +85,11 @@ std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) 
       records.push_back(std::move(record));
     }
   return records;
+}
+
+double Grader::energy_fed(const Trajectory& answer) const {
+  if (scene_.contacts.empty()) return std::numeric_limits<double>::quiet_NaN();
+  return mb::energy_fed(answer, truth_.finer, subjects_.front().context);  // of all bodies, whichever it names
 }
 
 std::vector<Record> Grader::truth_marks(const Record& base) const {

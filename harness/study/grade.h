@@ -19,6 +19,8 @@ class Grader {
 
   // base: run, contender, modes_used, n_unknowns. Full-order rivals on other meshes are marked against `finer` alone.
   std::vector<Record> marks(const Record& base, const Trajectory& answer) const;
+  // [-] Energy that nothing brought to the contacts (contact_metrics.h); NaN of scenes without.
+  double energy_fed(const Trajectory& answer) const;
   // One record per metric that describes the truth itself.
   std::vector<Record> truth_marks(const Record& base) const;
   // A run that gave no answer: one record a metric with its status and no value.

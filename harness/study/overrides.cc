@@ -139,7 +139,9 @@ std::vector<BodyDraft> drafts(const Scene& scene) {
                     .supports = {},
                     .dashpots = {}};
     draft.damping.ratios = body.damping_ratios;
+    draft.supports.supports = body.supports;
     draft.theory = body.theory;
+    draft.kinematics = body.kinematics;
     draft.touches = std::ranges::any_of(
         scene.contacts, [&](const auto& pair) { return pair.body == body.name || pair.obstacle == body.name; });
     all.push_back(std::move(draft));

@@ -100,6 +100,24 @@ TEST(OverridesTest, NoneAndTheClosedForm) {
   EXPECT_TRUE(both.study.steppings[0].modes.empty());
 }
 
+// What a study may ask of its scene it may still ask of it when a part of it is replaced.
+TEST(OverridesTest, ApplyToEveryCase) {
+  const Vocabulary words = default_catalogue().vocabulary();
+  const Overrides no_analyses({"study.analyses=none"}, words);
+  int n = 0;
+  for (const char* folder : {MB_SOURCE_DIR "/cases", MB_SOURCE_DIR "/cases/hard"})
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() != ".toml") continue;
+      const Scene scene = read_toml(entry.path(), words);
+      const Scene found = no_analyses.applied(scene);
+      EXPECT_TRUE(found.study.analyses.empty()) << entry.path();
+      EXPECT_EQ(found.study.methods, scene.study.methods) << entry.path();
+      EXPECT_EQ(found.study.rotations, scene.study.rotations) << entry.path();
+      ++n;
+    }
+  EXPECT_GE(n, 60);
+}
+
 TEST(OverridesCases, TheSceneStaysAndSoDoItsTruths) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", small_case());

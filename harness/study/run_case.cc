@@ -188,7 +188,8 @@ class CaseRun {
     const Trajectory answer = ready.prepared->simulate({.t = sample_times(*scene_)});
     std::vector<Record> records = grader.marks(record, answer);
     const Integrator& integrator = catalogue_.integrator(record.contender.integrator);
-    if (is_past_its_limit(records, *scene_, integrator, growth(record.contender, ready))) name_unstable(records);
+    if (is_past_its_limit(records, integrator, growth(record.contender, ready), grader.energy_fed(answer)))
+      name_unstable(records);
     if (is_answer(answer, records))
       store_.write_trajectory(record.run,
                               thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));

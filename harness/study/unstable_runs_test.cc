@@ -32,6 +32,47 @@ time_steps = [1e-5, 1e-2]
   return all.insert(all.find(check), steppings);
 }
 
+// A rigid box without damping that falls by a centimetre, by kicks far below and past the limit of the layer.
+constexpr const char* bounce = R"(schema = 1
+name = "small"
+title = "t"
+purpose = "p"
+source = "s"
+gravity = [0, 0, -9.81]
+[time]
+duration = 0.5
+frame_rate = 60
+samples_per_second = 600
+[[body]]
+name = "box"
+pose = { position = [0, 0, 0.06] }
+[body.shape]
+kind = "box"
+size = [0.1, 0.1, 0.1]
+[body.material]
+youngs_modulus = 1e6
+poissons_ratio = 0.3
+density = 1000
+[body.resolution]
+degree = 1
+cells = [1, 1, 1]
+[[obstacle]]
+name = "floor"
+shape = { kind = "half-space" }
+[[contact]]
+body = "box"
+obstacle = "floor"
+stiffness = 1e6
+[truth]
+relative_tolerance = 1e-3
+finer = { degree = 1, cells = [2, 2, 2] }
+coarser = { degree = 1, cells = [1, 1, 1] }
+[study]
+methods = ["eigenmodes"]
+modes = [0]
+contact_steps = [1e-3, 1.2e-2]
+)";
+
 class UnstableRunCases : public ::testing::Test {
  protected:
   ScratchFolder scratch;
@@ -70,6 +111,22 @@ TEST_F(UnstableRunCases, AreCompleteWithoutATrajectory) {
   ASSERT_EQ(run().code, 0);
   EXPECT_THAT(run().err, HasSubstr("0 runs done, 8 found"));
   EXPECT_EQ(modalbench(scratch.path(), {"report"}).code, 0);
+}
+
+// What is thrown higher and higher stays finite, and has ever more energy in play.
+TEST_F(UnstableRunCases, AreThoseThatContactFeeds) {
+  written(scratch / "small.toml", bounce);
+  const Said said = modalbench(scratch.path(), {"run", "small.toml", "--untimed"});
+  EXPECT_EQ(said.code, 0) << said.err;
+  int n_unstable = 0, n_ok = 0;
+  for (const Record& record : Store(scratch / "results").read_all_records().records) {
+    if (record.metric == "load-error") continue;  // of the load alone
+    const bool beyond = record.contender.integrator == "exact" && record.contender.settings.time_step > 1e-2;
+    EXPECT_EQ(record.status == "unstable", beyond) << record.metric << record.status;
+    ++(beyond ? n_unstable : n_ok);
+  }
+  EXPECT_GT(n_unstable, 0);
+  EXPECT_GT(n_ok, n_unstable);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -81,6 +82,33 @@ TEST(ContactStep, HandsOverMomentumExactly) {
     ASSERT_GT(state.impulse.norm(), 0.1);
     const Vector3d defect = m * state.body.v - before - state.impulse - n * h * m * body.gravity;
     EXPECT_LT(defect.norm(), 1e-10 * state.impulse.norm());
+  }
+}
+
+// Kinetic energy after a touch over that before it, by steps x/omega from the touch on.
+double returned_energy(ContactScheme scheme, double x) {
+  const FloatingBody body = on_a_spring();
+  ContactStepper stepper(body, scheme, x / std::sqrt(k / m));
+  ContactState state = touching(body, 1);
+  stepper.touch(state);
+  int n = 0;
+  do EXPECT_TRUE(stepper.advance(state));
+  while (state.body.c.z() < 0.1 && ++n < 1000);
+  EXPECT_LT(n, 1000);
+  return state.body.v.squaredNorm();
+}
+
+// g/(1 - g), g = x^2/4 (harness/analysis/contact_stability.h): met by steps that end the touch half way.
+TEST(ContactStep, WhatOpensWithinAStepGainsUpToItsBound) {
+  for (const auto scheme : {ContactScheme::exact, ContactScheme::newmark, ContactScheme::symplectic_euler}) {
+    double most = 0;
+    for (double x = 0.05; x < 1.2; x *= 1.001) {
+      const double g = x * x / 4, bound = g / (1 - g), gain = returned_energy(scheme, x) - 1;
+      EXPECT_GE(gain, -1e-8) << x;  // Newton's tolerance of 1e-10 over some sixty steps
+      EXPECT_LE(gain, bound + 1e-8) << x;
+      most = std::max(most, gain / bound);
+    }
+    EXPECT_GT(most, 0.99);
   }
 }
 
