@@ -175,7 +175,7 @@ void add_new(CLI::App& app, const Catalogue& catalogue, Action& action) {
   auto* const file = command->add_option("file", options->file, "a .toml file that is not there yet");
   auto* const schema = command->add_flag("--json-schema", options->json_schema, "print a schema for editors instead");
   file->excludes(schema);
-  command->callback([&, options, command] {
+  command->callback([&, options] {
     if (options->file.empty() && !options->json_schema) throw CLI::RequiredError("file");
     action = [&, options](const Console& c) { return new_command(*options, catalogue, c); };
   });

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,6 +52,7 @@ constexpr int no_valgrind = 125;  // itself it says 127 of a program that is not
 
 // Of a child: nothing is allocated there, as another thread may have held the allocator's lock. Never returns.
 [[noreturn]] void become(char* const* argv) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it ends with its parent, however that ends
   const int nowhere = ::open("/dev/null", O_RDWR);
   for (const int stream : {0, 1, 2}) ::dup2(nowhere, stream);
   ::execvp(argv[0], argv);
@@ -66,6 +68,12 @@ int ended(pid_t child, double at_most) {
     ::usleep(static_cast<useconds_t>(1e6 * look));
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+// A child that somebody ends, as Ctrl-C does, has counted nothing, and nothing follows for the program.
+void require_not_ended_from_outside(int code) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (code == 128 + signal) throw std::runtime_error(fmt::format("valgrind was ended by signal {}", signal));
 }
 
 std::string reason(int code, double at_most) {
@@ -106,6 +114,7 @@ InstructionCounts count_instructions(const fs::path& program, const std::vector<
   if (child < 0) return {{}, "no process can be made"};
   if (child == 0) become(argv.data());
   const int code = ended(child, at_most);
+  require_not_ended_from_outside(code);
   InstructionCounts counts{read_dumps(scratch.path()), code == 0 ? "" : reason(code, at_most)};
   if (code == 0 && counts.by_name.empty()) counts.missing = "the program was built without valgrind's headers";
   return counts;

@@ -23,7 +23,8 @@ struct InstructionCounts {
   std::map<std::string, double> by_name;
   std::string missing;
 };
-// Starts the program with these words under callgrind, its output thrown away, for at most that long [s].
+// Starts the program with these words under callgrind, its output thrown away, for at most that long [s]. Throws
+// std::runtime_error where it is ended by SIGINT, SIGTERM or SIGHUP, as a whole group of processes is by Ctrl-C.
 InstructionCounts count_instructions(const std::filesystem::path& program, const std::vector<std::string>& words,
                                      double at_most);
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <stdexcept>
+
 #include "harness/program_test.h"
 #include "harness/store/scratch_folder_test.h"
 
@@ -35,6 +38,17 @@ TEST(InstructionCounter, SaysWhyThereAreNone) {
   const InstructionCounts none = count_instructions("/nonexistent/modalbench", {"count", "x"}, 20);
   EXPECT_TRUE(none.by_name.empty());
   EXPECT_NE(none.missing, "");
+}
+
+// A program named valgrind that somebody ends, in the place of the real one.
+TEST(InstructionCounter, AChildThatIsEndedFromOutsideHasNoResult) {
+  const ScratchFolder scratch;
+  written(scratch / "valgrind", "#!/bin/sh\nkill -INT $$\n");
+  fs::permissions(scratch / "valgrind", fs::perms::owner_all);
+  const std::string before = std::getenv("PATH");
+  ::setenv("PATH", (scratch.path().string() + ":" + before).c_str(), 1);
+  EXPECT_THROW(count_instructions("/nonexistent/modalbench", {"count", "x"}, 20), std::runtime_error);
+  ::setenv("PATH", before.c_str(), 1);
 }
 
 }  // namespace

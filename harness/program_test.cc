@@ -7,6 +7,7 @@
 #include "harness/commands/commands.h"
 #include "harness/program_test.h"
 #include "harness/store/scratch_folder_test.h"
+#include "harness/store/store.h"
 
 namespace mb {
 namespace {
@@ -120,6 +121,51 @@ TEST(ProgramCases, ADamagedTruthIsNamedAndComputedAgain) {
   const Said said = modalbench(scratch.path(), {"run", "small.toml", "--again"});
   EXPECT_EQ(said.code, 0);
   EXPECT_THAT(said.err, HasSubstr("computed again"));
+}
+
+// Sound files, of another case: nothing is said of them but by their shape.
+TEST(ProgramCases, ATruthOfAnotherShapeIsNamedAndComputedAgain) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  const Said first = modalbench(scratch.path(), {"run", "small.toml"});
+  const Store store(scratch / "results");
+  for (const auto& truth : fs::directory_iterator(scratch / "results/truth")) {
+    const std::string hash = truth.path().stem();
+    Trajectory cut = store.read_truth(hash);
+    cut.t.conservativeResize(5);
+    for (BodyTrajectory& body : cut.bodies) {
+      body.displacement.conservativeResize(Eigen::NoChange, 5);
+      body.strain.conservativeResize(Eigen::NoChange, 5);
+    }
+    store.write_truth(hash, cut);
+  }
+  const Said said = modalbench(scratch.path(), {"run", "small.toml", "--again"});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("of other times or points than the case asks for; computed again"));
+  EXPECT_EQ(said.out, first.out);
+}
+
+TEST(ProgramCases, AStoreThatCannotBeWrittenIsFoundBeforeAnythingIsComputed) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  const Said said = modalbench(scratch.path(), {"run", "small.toml", "--store", "/proc/nope"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("/proc/nope"));
+  EXPECT_THAT(said.err, ::testing::Not(HasSubstr("truth Q")));
+}
+
+TEST(ProgramCases, AFolderInTheWayOfAResultIsNamedBeforeAnythingIsComputed) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  ASSERT_EQ(modalbench(scratch.path(), {"run", "small.toml"}).code, 0);
+  const fs::path records = scratch / "results/records";
+  const fs::path one = fs::directory_iterator(records)->path();
+  fs::remove(one);
+  fs::create_directory(one);
+  const Said said = modalbench(scratch.path(), {"run", "small.toml"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr(one.filename().string() + ": a folder is in the way; remove it"));
+  EXPECT_THAT(said.err, ::testing::Not(HasSubstr("[1/")));
 }
 
 TEST(ProgramCases, ResampledLoadsRecordTheirError) {

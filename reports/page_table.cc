@@ -63,7 +63,7 @@ Pooled pooled(Json rows, std::size_t n_columns) {
 
 Json rounded(double value) {
   if (!std::isfinite(value)) return nullptr;
-  return std::stod(fmt::format("{:.6g}", value));
+  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);  // stod throws below 2.2e-308
 }
 
 Json table_json(const Sheet& table) {

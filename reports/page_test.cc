@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
 #include <string>
 
 #include "cases/json/json.h"
@@ -32,6 +33,12 @@ TEST(Page, CarriesAPolicyThatLetsNothingInButItsOwnScript) {
 TEST(Page, DataCannotEndTheScriptTheyStandIn) {
   const std::string text = script_json(Json{{"name", "</script><script>alert(1)</script>"}});
   EXPECT_THAT(text, Not(HasSubstr("<")));
+}
+
+TEST(Page, NumbersOfAnySizeAreRounded) {
+  EXPECT_EQ(rounded(1.0 / 3), 0.333333);
+  EXPECT_EQ(rounded(5e-324), 5e-324);  // the least there is: reading one underflows
+  EXPECT_TRUE(rounded(std::numeric_limits<double>::infinity()).is_null());
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "cases/scene/table_file.h"
+#include "reports/held_signals.h"
 
 namespace mb {
 namespace {
@@ -118,6 +119,7 @@ ReportFile listed_files(const std::vector<ReportFile>& files) {
 
 std::vector<fs::path> publish(std::vector<ReportFile> files, const fs::path& directory) {
   files.push_back(listed_files(files));
+  const HeldSignals held;  // Ctrl-C comes after the last file, and leaves neither half a report nor what was put aside
   make_folder(directory);
   remove_abandoned(directory);
   const Aside aside(directory / (staging + std::to_string(getpid())));

@@ -1,5 +1,6 @@
 // Puts a report into its folder: written aside as a whole, then renamed over the report before, so that a full disk or
-// an interruption leaves that one as it was. Files of it that the new one no longer has go; nobody else's are touched.
+// an interruption leaves that one as it was; signals that end a program wait for the end of it. Files of it that the
+// new one no longer has go; nobody else's are touched.
 #pragma once
 
 #include <filesystem>

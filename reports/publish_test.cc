@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include <csignal>
 #include <fstream>
 #include <set>
 #include <sstream>
+
+#include "reports/held_signals.h"
 
 namespace mb {
 namespace {
@@ -120,6 +123,19 @@ TEST_F(Publish, AListThatNamesOtherFilesRemovesNone) {
   fs::remove(outside);
   EXPECT_THAT(files(),
               ::testing::ElementsAre("data/files.txt", "data/sub/mine.csv", "mine.cc", "other/mine.csv", "report.md"));
+}
+
+int n_signals = 0;
+
+TEST(HeldSignals, ComeWhenTheyAreNoLongerHeld) {
+  const auto before = std::signal(SIGINT, [](int) { ++n_signals; });
+  {
+    const HeldSignals held;
+    ::raise(SIGINT);
+    EXPECT_EQ(n_signals, 0);
+  }
+  EXPECT_EQ(n_signals, 1);
+  std::signal(SIGINT, before);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct Analysis {
   enum class Scenes { any, without_contact, with_contact } scenes = Scenes::any;  // for which it is made
   bool theories = false;  // whether bodies of beam and plate theory have it, too
   bool of_truth = false;  // told again of the truth's neighbour, for error bars (harness/analysis/told.h)
+  bool timed = false;     // whether times are among its numbers: it runs alone
 };
 
 // The visible list: budget, step-limits, aliasing, frequency-response, mode-amplitudes, damping, frequencies,

@@ -43,7 +43,7 @@ const std::vector<Analysis>& analysis_catalogue() {
       {"probe-extremes", "largest and smallest probe values, when, and the static ones", &probe_extremes, loaded, false,
        true},
       {"collision-cost", "cost of points against polygons, a tree of boxes over them and an analytic shape",
-       &collision_cost},
+       &collision_cost, any, false, false, true},
       {"contact-forces", "errors of contact forces from vertices, quadratures and curvatures", &contact_forces},
       {"contact-stiffness",
        "what halving and doubling the stiffness of the contact layer does, and how a hundredth of it grows from "
@@ -53,16 +53,17 @@ const std::vector<Analysis>& analysis_catalogue() {
       {"contact",
        "its layer, the polynomials and samples that carry it, its force over time, where the time goes; of eigenmodes, "
        "static correction and the study's linear and quadratic modes",
-       &contact, touching},
+       &contact, touching, false, false, true},
       {"contact-stability",
        "which steps in contact are stable, inaccurate and unstable over the layer's stiffness, beside what one "
        "linearised step predicts",
        &contact_stability, touching},
-      {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching},
+      {"flight-cost", "cost of a modal run over flight time and over steps in contact", &flight_cost, touching, false,
+       false, true},
       {"amplitude", "the speed of an impact at which linear theory ends, by linear against finite kinematics",
        &amplitude, touching},
       {"instructions", "instructions a simulated second, by valgrind, beside the time they take", &instructions,
-       touching},
+       touching, false, false, true},
       {"slenderness", "errors of polynomial modes by degree on bodies from compact to slender",
        &polynomials_over_slenderness, loaded}};
   return all;

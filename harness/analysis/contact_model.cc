@@ -58,7 +58,7 @@ Finding contact_meetings(const Scene& scene) {
     const ContactSize& size = meeting.size;
     const bool lumped = pair.law == ContactLaw::hertz;
     found.rows.push_back({pair.obstacle, lumped ? "hertz, lumped [N/m^1.5]" : "penalty per area", size.stiffness,
-                          pair.stiffness ? "given" : "auto", size.modulus, size.radius,
+                          pair.stiffness != 0 ? "given" : "auto", size.modulus, size.radius,
                           lumped ? not_applicable() : number(size.stiffness * size.radius / size.modulus), meeting.t,
                           size.speed, size.approach, size.duration, size.force});
   }

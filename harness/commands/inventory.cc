@@ -88,7 +88,7 @@ class Survey {
       else
         store_.read_trajectory(hash);
     } catch (const StoreError& error) {
-      return {State::damaged, error.what()};
+      return {State::damaged, error.fault()};
     }
     return verdict;
   }

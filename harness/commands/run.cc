@@ -174,10 +174,11 @@ void run_in_parallel(const Scenes& scenes, const Catalogue& catalogue, const Sto
   const Progress progress = progress_on(console);
   const auto interrupted = [&] { return options.interrupted && options.interrupted(); };
   RunOptions shared = options;
-  shared.timed = false;
+  shared.timed = shared.alone = false;
   for (const auto& scene : scenes) {
     if (interrupted()) return;
-    const auto left = plan({scene}, catalogue, store, shared);
+    auto left = plan({scene}, catalogue, store, shared);
+    std::erase_if(left, [](const PlannedJob& one) { return takes_times(one.job); });
     if (std::ranges::all_of(left, &PlannedJob::stored)) continue;
     // Truths first, in a process of their own: threads that libraries start there would not survive a fork.
     const int code =
@@ -244,6 +245,7 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
   set_blas_threads(options.threads);
   if (options.jobs > 1) {
     run_in_parallel(scenes, catalogue, store, how, options.jobs, console);
+    how.again_timed = how.again;
     how.again = false;
   }
   const Outcome outcome = run_all(scenes, catalogue, store, how, console);

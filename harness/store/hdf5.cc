@@ -257,6 +257,7 @@ Hdf5Content from_hdf5(std::string_view bytes) {
   if (const std::string structure = refused_structure(bytes); !structure.empty()) fail("holds " + structure);
   const Handle access = access_in_memory();
   std::string image = whole_file(bytes);
+  if (image.size() != bytes.size()) fail("something follows its end");
   require_plain_structures(image);
   check(H5Pset_file_image(access, image.data(), image.size()), "not an HDF5 file");
   const Handle file(H5Fopen(file_name(&image).c_str(), H5F_ACC_RDONLY, access), H5Fclose, "not a whole HDF5 file");

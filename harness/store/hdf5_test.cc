@@ -174,5 +174,11 @@ TEST(Hdf5, AsManyCountsAndTextsAsAreWrittenAreRead) {
   EXPECT_THAT([&] { to_hdf5(content); }, ThrowsMessage<std::invalid_argument>(HasSubstr("1025 counts and texts")));
 }
 
+TEST(Hdf5, WhatFollowsTheEndIsRefused) {
+  const std::string bytes = to_hdf5({.counts = {{"n", 3}}, .texts = {}, .matrices = {}});
+  EXPECT_EQ(from_hdf5(bytes).counts.at("n"), 3);
+  EXPECT_THROW(from_hdf5(bytes + "x"), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace mb

@@ -1,7 +1,11 @@
 #include "harness/store/store.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "cases/json/finding_json.h"
 #include "cases/json/json.h"
@@ -70,6 +74,24 @@ Store::Store(std::filesystem::path directory) : directory_(std::move(directory))
 std::filesystem::path Store::file(const char* shelf, const std::string& hash, const char* ending) const {
   if (!is_content_hash(hash)) throw std::invalid_argument("store: a run is named by 32 hex digits");
   return directory_ / shelf / (hash + ending);
+}
+
+void Store::require_writable() const {
+  const std::filesystem::path probe = directory_ / fmt::format("probe.{}", ::getpid());
+  write_file(probe, "");
+  remove_file(probe);
+}
+
+void Store::require_room(const std::string& hash) const {
+  for (const auto& [shelf, ending] : {std::pair{"trajectories", ".h5"},
+                                      {"truth", ".h5"},
+                                      {"records", ".jsonl"},
+                                      {"timings", ".jsonl"},
+                                      {"findings", ".json"}}) {
+    const std::filesystem::path path = file(shelf, hash, ending);
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) throw StoreError(path, "a folder is in the way; remove it");
+  }
 }
 
 bool Store::has_trajectory(const std::string& hash) const {

@@ -31,6 +31,11 @@ class Store {
   explicit Store(std::filesystem::path directory);
   const std::filesystem::path& directory() const { return directory_; }
 
+  // Throw StoreError where nothing can be written there, or a folder stands where a file of that run belongs: before
+  // hours are spent on what cannot be kept.
+  void require_writable() const;
+  void require_room(const std::string& hash) const;
+
   // has_...: whether the file is there, not whether it is sound.
   bool has_trajectory(const std::string& hash) const;
   Trajectory read_trajectory(const std::string& hash) const;

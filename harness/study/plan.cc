@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "harness/analysis/analysis.h"
 #include "harness/study/identity.h"
 
 namespace mb {
@@ -124,6 +125,8 @@ std::vector<Job> part(const std::vector<Job>& jobs, const Shard& shard) {
 }
 
 bool is_full_order(const Contender& contender) { return contender.method == "full-order"; }
+
+bool takes_times(const Job& job) { return job.kind == Job::Kind::analysis && analysis(job.analysis).timed; }
 
 std::string label(const Contender& c) {
   std::string text = c.method;

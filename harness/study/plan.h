@@ -40,6 +40,7 @@ inline constexpr long most_shards = 1'000'000;
 std::optional<Shard> parse_shard(const std::string& text);  // "2/8"; nothing where it is no such part
 std::vector<Job> part(const std::vector<Job>& jobs, const Shard& shard);
 
+bool takes_times(const Job& job);               // an analysis that measures
 std::string label(const Contender& contender);  // "static-correction r=32 exact Q4 1x4"
 bool is_full_order(const Contender& contender);
 

@@ -150,5 +150,13 @@ TEST(PlanCases, MarksFirstTimesLater) {
   EXPECT_THAT(text(scratch / "results/results.jsonl"), HasSubstr("online-time"));
 }
 
+TEST(PlanTest, TakesApartWhatMeasuresTimes) {
+  const auto of = [](const char* name) { return Job{Job::Kind::analysis, "", "", {}, name}; };
+  for (const char* name : {"contact", "collision-cost", "flight-cost", "instructions"})
+    EXPECT_TRUE(takes_times(of(name))) << name;
+  for (const char* name : {"budget", "stability-map", "contact-stability"}) EXPECT_FALSE(takes_times(of(name))) << name;
+  EXPECT_FALSE(takes_times({Job::Kind::marks, "", "", {}, ""}));
+}
+
 }  // namespace
 }  // namespace mb

@@ -15,6 +15,8 @@
 #include <system_error>
 #include <vector>
 
+#include "reports/held_signals.h"
+
 namespace mb {
 
 namespace {
@@ -22,23 +24,6 @@ namespace {
 // Those that run, for signal handlers; 0: none. Written by the thread that forks and waits alone.
 std::array<std::atomic<pid_t>, most_processes> running{};
 static_assert(std::atomic<pid_t>::is_always_lock_free);
-
-// Keeps the signals that end a run waiting while this lives.
-class HeldSignals {
- public:
-  HeldSignals() {
-    sigset_t held;
-    sigemptyset(&held);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
-    sigprocmask(SIG_BLOCK, &held, &before_);
-  }
-  ~HeldSignals() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-  HeldSignals(const HeldSignals&) = delete;
-  HeldSignals& operator=(const HeldSignals&) = delete;
-
- private:
-  sigset_t before_{};
-};
 
 // Its number is free for others once it has been waited for: nobody may signal it by then.
 int exit_code(int slot) {

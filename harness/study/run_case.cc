@@ -61,6 +61,8 @@ class CaseRun {
   CaseOutcome run() {
     const std::vector<Job> todo = not_stored();
     if (todo.empty() && untimed_front().empty() && unmarked_truths().empty()) return outcome_;
+    store_.require_writable();
+    for (const Job& job : todo) store_.require_room(job.hash);
     const std::optional<TruthSet> truth = truths_or_record();
     if (!truth) return outcome_;
     const Grader grader(*scene_, *truth, free_bodies(), provenance(scene_->profile));
@@ -82,8 +84,10 @@ class CaseRun {
   std::vector<Job> not_stored() {
     std::vector<Job> todo;
     for (const Job& job : part(all_, options_.shard)) {
+      if (!options_.alone && takes_times(job)) continue;
       const StoredJob found = stored(job, store_);
-      const bool done = !options_.again && found.is_complete(options_.timed);
+      const bool anew = options_.again || (options_.again_timed && takes_times(job));
+      const bool done = !anew && found.is_complete(options_.timed);
       for (const RefusedLine& line : done ? std::vector<RefusedLine>() : found.damaged)
         progress_(to_string(line) + "; computed again");
       if (!done) todo.push_back(job);
@@ -227,6 +231,7 @@ class CaseRun {
     } catch (const std::exception& error) {
       const std::string why = failure_text(error, memory(*scene_, job));
       said = "failed: " + one_line(why, most_told);
+      if (stop()) return progress_(fmt::format("{} {} · {} · {}", count, scene_->name, job.label, said));
       findings = {failed_table(job.analysis, why)};
       ++outcome_.n_failed;
     }

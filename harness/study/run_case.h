@@ -16,6 +16,8 @@ struct RunOptions {
   Shard shard;                        // which part of the jobs
   std::function<bool()> interrupted;  // asked between runs and truths; what is finished is kept
   std::optional<double> memory = {};  // [byte] that a job may take; nothing: what is there when it begins
+  bool alone = true;                  // nothing else of ours runs meanwhile: else analyses that take times are left
+  bool again_timed = false;           // run also those of them that the store holds
 };
 
 struct CaseOutcome {

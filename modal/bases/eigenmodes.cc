@@ -46,6 +46,14 @@ Modes first(const Modes& found, Index n_keep) {
           found.lambda_max};
 }
 
+// Of a mode and its opposite the one whose coefficients, weighed by numbers without any symmetry, sum to more than 0:
+// the same whoever found it, however its sums were ordered.
+void orient(Eigen::Ref<MatrixXd> Phi) {
+  const VectorXd weights = VectorXd::LinSpaced(Phi.rows(), 1, static_cast<double>(Phi.rows())).array().sin();
+  for (Index i = 0; i < Phi.cols(); ++i)
+    if (Phi.col(i).dot(weights) < 0) Phi.col(i) *= -1;
+}
+
 // What of the modes found is to be kept, after the gate has seen all of them.
 Modes gated(const System& system, const ElasticModes& elastic, int n_elastic, double lambda_max) {
   const Index m = system.R.cols(), n_all = system.K.rows() - m;
@@ -54,6 +62,7 @@ Modes gated(const System& system, const ElasticModes& elastic, int n_elastic, do
   Modes found = with_rigid(system, elastic);
   found.lambda_max = lambda_max;
   check_modes(system, found, m + *keep);
+  orient(found.Phi.rightCols(found.size() - m));
   return first(found, m + *keep);
 }
 

@@ -14,8 +14,8 @@ namespace mb {
 
 // Rigid modes of the system, then at least n_elastic elastic ones (>= 0), more where a multiplet would be cut (relative
 // gap of lambda <= 1e-6), fewer only where the system has no more. shift [1/s^2] < 0: about -0.01 E/(rho l^2).
-// n_elastic > n/3 uses a dense solver (n <= 6000, else std::invalid_argument).
-// Throws GateFailure, std::runtime_error where Lanczos or a factorisation fails.
+// Of either sign of a mode always the same one is returned. n_elastic > n/3 uses a dense solver (n <= 6000, else
+// std::invalid_argument). Throws GateFailure, std::runtime_error where Lanczos or a factorisation fails.
 Modes lowest_modes(const System& system, int n_elastic, double shift);
 // The same with a factor made before (static solves use it, too).
 Modes lowest_modes(const System& system, int n_elastic, const ShiftedFactor& shifted);

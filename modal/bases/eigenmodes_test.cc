@@ -226,5 +226,15 @@ TEST(LowestModes, RefuseRigidModesThatAreNot) {
   EXPECT_THROW(lowest_modes(wrong, 5, beam_shift), GateFailure);
 }
 
+TEST(Eigenmodes, HaveTheSameSignByWhicheverSolver) {
+  const System beam = free_beam(4);
+  const int n = 8;
+  const Modes lanczos = lowest_modes(beam, n, beam_shift), dense = lowest_modes(beam, 300, beam_shift);
+  ASSERT_LT(lanczos.size(), 100) << "not by Lanczos";
+  ASSERT_GE(dense.size(), 306);
+  for (Index i = 6; i < 6 + n; ++i)
+    EXPECT_LT((lanczos.Phi.col(i) - dense.Phi.col(i)).norm(), 1e-5 * dense.Phi.col(i).norm()) << i;
+}
+
 }  // namespace
 }  // namespace mb
