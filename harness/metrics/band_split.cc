@@ -32,8 +32,7 @@ double low_pass(double f, double f_c) {
   return y >= 1 ? 0 : 0.5 * (1 - std::sin(pi / 2 * y));
 }
 
-PaddedSpectrum::PaddedSpectrum(const MatrixXd& x, double rate)
-    : rate_(rate), end_(static_cast<double>(x.cols() - 1) / rate) {
+PaddedSpectrum::PaddedSpectrum(const MatrixXd& x, double rate) : end_(static_cast<double>(x.cols() - 1) / rate) {
   if (x.cols() < 2 || !(rate > 0) || !std::isfinite(rate) || !x.allFinite())
     throw std::invalid_argument("a spectrum needs two finite samples at least and their rate");
   const MatrixXcd X = fourier(padded(x));

@@ -35,9 +35,9 @@ class PaddedSpectrum {
  private:
   std::complex<double> one_sided(Index k, const Gain& gain) const;  // gain, twice where k has a mirror image
 
-  double rate_, end_;  // [1/s], [s]
-  VectorXd f_;         // [1/s] 0 ... rate/2
-  MatrixXcd X_;        // signals x frequencies
+  double end_;   // [s]
+  VectorXd f_;   // [1/s] 0 ... rate/2
+  MatrixXcd X_;  // signals x frequencies
 };
 
 }  // namespace mb
