@@ -62,8 +62,10 @@ inline Quadrature rule_of(const Vector3d& size, const Resolution& mesh) {
   Index at = 0;
   for (Index i = 0; i < x[0].size(); ++i)
     for (Index j = 0; j < x[1].size(); ++j)
-      for (Index k = 0; k < x[2].size(); ++k, ++at)
-        all.points.col(at) << x[0][i], x[1][j], x[2][k], all.weights[at] = w[0][i] * w[1][j] * w[2][k];
+      for (Index k = 0; k < x[2].size(); ++k, ++at) {
+        all.points.col(at) = Vector3d(x[0][i], x[1][j], x[2][k]);
+        all.weights[at] = w[0][i] * w[1][j] * w[2][k];
+      }
   return all;
 }
 
