@@ -36,8 +36,8 @@ if(MODALBENCH_FUZZ)
 endif()
 if(MODALBENCH_SANITIZE)
   # Some of these the address sanitizer and Eigen's assertions report as well; together they would take a third of the
-  # time to compile. pointer-overflow: parts of empty matrices, which Eigen 3.4 makes by an offset to null (Block.h) and never
-  # reads.
+  # time to compile. pointer-overflow: parts of empty matrices, which Eigen 3.4 makes by an offset to null (Block.h) and
+  # never reads.
   target_compile_options(mb_warnings INTERFACE -fsanitize=${MODALBENCH_SANITIZE} -fno-omit-frame-pointer
     -fno-sanitize=null,alignment,vptr,object-size,pointer-overflow -fno-sanitize-recover=all)
   target_compile_definitions(mb_warnings INTERFACE MB_SANITIZED)

@@ -36,14 +36,13 @@ Finding map_table() {
       "rests, as fast as its weight alone would have it fall. Energy: 1, and what is gained by the impact over the "
       "kinetic energy along the normal. Unstable: it is more than 1.1, or a step has no solution or throws bodies to "
       "where nothing is known of their contact. Inaccurate: bounded, and peak "
-      "force or impulse more than 5 % off those of the closed form with the least step. Spectral radius: of one "
+      "force or impulse more than 5 % off those of kicks at half the least step. Spectral radius: of one "
       "step linearised about the height of the impact, the layer pressed at one point as hard as over the "
       "contact's whole area; limit: the step where it passes 1, of average acceleration none. Growth over one contact "
       "that would not show is called too short to be seen; where steps leave neither force nor impulse, the touch is "
       "missed. Where the layer opens within a step energy is gained, too, of a rigid mass at most g/(1 - g), g = kappa "
       "h^2/(4 m), by each of the schemes: opening limit, the step where that is a tenth. What is beyond this limit "
-      "alone "
-      "may gain energy or not: may gain.",
+      "alone may gain energy or not: may gain.",
       {{"integrator", ""},
        {"stiffness factor", "-"},
        {"dt", "s"},
