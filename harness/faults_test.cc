@@ -3,10 +3,8 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
-#include "cases/json/record_json.h"
 #include "harness/faults_test.h"
 
 namespace mb {
@@ -169,90 +167,6 @@ TEST(FaultCases, ResultsAreTheSameToTheBitAgainAndInSeveralProcesses) {
   EXPECT_EQ(again.code(), 0) << again.err();
   expect_same_results(scratch / "1", scratch / "2");
   expect_same_results(scratch / "1", scratch / "again");
-}
-
-// Numbers that are none are the same where both are none.
-void expect_near(double a, double b, double tolerance, const std::string& what) {
-  EXPECT_EQ(std::isnan(a), std::isnan(b)) << what;
-  if (std::isfinite(a) || std::isfinite(b)) {
-    EXPECT_NEAR(a, b, tolerance) << what;
-  } else if (!std::isnan(a)) {
-    EXPECT_EQ(a, b) << what;
-  }
-}
-
-void expect_near(const Finding& a, const Finding& b) {
-  ASSERT_EQ(a.rows.size(), b.rows.size()) << a.name;
-  ASSERT_EQ(a.bars.size(), b.bars.size()) << a.name;
-  for (size_t i = 0; i < a.rows.size(); ++i)
-    for (size_t j = 0; j < a.columns.size(); ++j) {
-      const std::string what = fmt::format("{}, row {}, {}", a.name, i + 1, a.columns[j].name);
-      ASSERT_EQ(a.rows[i][j].index(), b.rows[i][j].index()) << what;
-      if (a.rows[i][j].index() == 0) {
-        EXPECT_EQ(a.rows[i][j], b.rows[i][j]) << what;
-      } else {
-        expect_near(std::get<double>(a.rows[i][j]), std::get<double>(b.rows[i][j]), 1e-8, what);
-      }
-      if (!a.bars.empty()) expect_near(a.bars[i][j], b.bars[i][j], 1e-8, "bar of " + what);
-    }
-}
-
-// Displacements, of bodies that move by millimetres.
-void expect_near(const Trajectory& a, const Trajectory& b, const std::string& what) {
-  ASSERT_EQ(a.t.size(), b.t.size()) << what;
-  ASSERT_EQ(a.bodies.size(), b.bodies.size()) << what;
-  EXPECT_EQ(a.status, b.status) << what;
-  for (size_t i = 0; i < a.bodies.size(); ++i) {
-    const MatrixXd &u = a.bodies[i].displacement, &v = b.bodies[i].displacement;
-    ASSERT_TRUE(u.rows() == v.rows() && u.cols() == v.cols()) << what;
-    ASSERT_TRUE(u.allFinite() && v.allFinite() && u.size() > 0) << what;
-    EXPECT_LE((u - v).cwiseAbs().maxCoeff(), 1e-8 * u.cwiseAbs().maxCoeff()) << what;
-  }
-}
-
-void expect_near(const Store& a, const Store& b) {
-  const auto findings = a.read_all_findings().findings, others = b.read_all_findings().findings;
-  ASSERT_EQ(findings.size(), others.size());
-  ASSERT_FALSE(findings.empty());
-  for (size_t i = 0; i < findings.size(); ++i) expect_near(findings[i], others[i]);
-  int n_answers = 0;
-  for (const auto& [name, content] : finished(a.directory())) {
-    const fs::path file = name;
-    if (file.extension() != ".h5") continue;
-    const bool truth = file.parent_path() == "truth";
-    const auto read = [&](const Store& s) {
-      return truth ? s.read_truth(file.stem()) : s.read_trajectory(file.stem());
-    };
-    expect_near(read(a), read(b), name);
-    ++n_answers;
-  }
-  EXPECT_GE(n_answers, 7);
-}
-
-// Sums in another order: the rounding of some hundred steps, far below every error bar. Tables hold differences and
-// times of extremes, too, which lose some digits more; steps are chosen by an error estimate of 1e-4.
-TEST(FaultCases, ResultsOnTwoThreadsAreTheSameToRounding) {
-  const ScratchFolder scratch;
-  std::string fine = analysed_case();
-  const std::string coarse_mesh = "finer = { degree = 3, cells = [1, 2] }";
-  written(scratch / "case.toml",
-          fine.replace(fine.find(coarse_mesh), coarse_mesh.size(), "finer = { degree = 3, cells = [2, 4] }"));
-  for (const char* threads : {"1", "2"}) {
-    Process process(scratch.path(), run_with({"--threads", threads, "--store", threads}));
-    EXPECT_EQ(process.code(), 0) << process.err();
-  }
-  const auto one = read_records(scratch / "1/results.jsonl").records;
-  const auto two = read_records(scratch / "2/results.jsonl").records;
-  ASSERT_EQ(one.size(), two.size());
-  ASSERT_FALSE(one.empty());
-  if (two[0].provenance.at("threads") == "1") GTEST_SKIP() << "a BLAS of one thread";
-  for (size_t i = 0; i < one.size(); ++i) {
-    EXPECT_EQ(one[i].provenance.at("threads"), "1");
-    EXPECT_EQ(one[i].run, two[i].run);
-    EXPECT_EQ(one[i].metric, two[i].metric);
-    expect_near(one[i].value, two[i].value, 1e-10, one[i].metric);  // [-] of the truth, [m] or [rad] of 0.2 m
-  }
-  expect_near(Store(scratch / "1"), Store(scratch / "2"));
 }
 
 }  // namespace

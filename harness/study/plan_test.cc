@@ -95,6 +95,22 @@ TEST(PlanCases, SeveralProcessesFindWhatOneFinds) {
   EXPECT_THAT(plan.out, ::testing::Not(HasSubstr("to run")));
 }
 
+// Once a call, by the process that is left when the others have ended; everything else by those.
+TEST(PlanCases, TimesAreTakenByOneProcessAlone) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", bouncing_case("contact_steps = [1e-3]\nanalyses = [\"flight-cost\"]"));
+  for (const char* how : {"--resume", "--again"}) {
+    const Said said = modalbench(scratch.path(), {"run", "case.toml", "--jobs", "2", how});
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_THAT(said.err, HasSubstr("[1/1] small · eigenmodes")) << how;  // without its time
+    const size_t at = said.err.find("flight-cost");
+    ASSERT_NE(at, std::string::npos) << how;
+    EXPECT_EQ(said.err.find("flight-cost", at + 1), std::string::npos) << said.err;
+    EXPECT_THAT(said.err.substr(at), HasSubstr("2 runs done")) << how;  // with the time of the other
+  }
+  EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml", "--jobs", "2"}).err, HasSubstr("0 runs done, 2 found"));
+}
+
 TEST(PlanCases, SeveralProcessesShareAPart) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", small_case());

@@ -32,47 +32,6 @@ time_steps = [1e-5, 1e-2]
   return all.insert(all.find(check), steppings);
 }
 
-// A rigid box without damping that falls by a centimetre, by kicks far below and past the limit of the layer.
-constexpr const char* bounce = R"(schema = 1
-name = "small"
-title = "t"
-purpose = "p"
-source = "s"
-gravity = [0, 0, -9.81]
-[time]
-duration = 0.5
-frame_rate = 60
-samples_per_second = 600
-[[body]]
-name = "box"
-pose = { position = [0, 0, 0.06] }
-[body.shape]
-kind = "box"
-size = [0.1, 0.1, 0.1]
-[body.material]
-youngs_modulus = 1e6
-poissons_ratio = 0.3
-density = 1000
-[body.resolution]
-degree = 1
-cells = [1, 1, 1]
-[[obstacle]]
-name = "floor"
-shape = { kind = "half-space" }
-[[contact]]
-body = "box"
-obstacle = "floor"
-stiffness = 1e6
-[truth]
-relative_tolerance = 1e-3
-finer = { degree = 1, cells = [2, 2, 2] }
-coarser = { degree = 1, cells = [1, 1, 1] }
-[study]
-methods = ["eigenmodes"]
-modes = [0]
-contact_steps = [1e-3, 1.2e-2]
-)";
-
 class UnstableRunCases : public ::testing::Test {
  protected:
   ScratchFolder scratch;
@@ -115,7 +74,7 @@ TEST_F(UnstableRunCases, AreCompleteWithoutATrajectory) {
 
 // What is thrown higher and higher stays finite, and has ever more energy in play.
 TEST_F(UnstableRunCases, AreThoseThatContactFeeds) {
-  written(scratch / "small.toml", bounce);
+  written(scratch / "small.toml", bouncing_case("contact_steps = [1e-3, 1.2e-2]"));
   const Said said = modalbench(scratch.path(), {"run", "small.toml", "--untimed"});
   EXPECT_EQ(said.code, 0) << said.err;
   int n_unstable = 0, n_ok = 0;

@@ -1,0 +1,215 @@
+// Results with two threads of the BLAS in place of one: sums in another order, and what they may change.
+#include <algorithm>
+#include <cmath>
+
+#include "cases/json/record_json.h"
+#include "harness/faults_test.h"
+
+namespace mb {
+namespace {
+
+using namespace faults;
+
+// Numbers that are none are the same where both are none.
+void expect_near(double a, double b, double tolerance, const std::string& what) {
+  EXPECT_EQ(std::isnan(a), std::isnan(b)) << what;
+  if (std::isfinite(a) || std::isfinite(b)) {
+    EXPECT_NEAR(a, b, tolerance) << what;
+  } else if (!std::isnan(a)) {
+    EXPECT_EQ(a, b) << what;
+  }
+}
+
+void expect_near(const Finding& a, const Finding& b, double tolerance) {
+  ASSERT_EQ(a.rows.size(), b.rows.size()) << a.name;
+  ASSERT_EQ(a.bars.size(), b.bars.size()) << a.name;
+  for (size_t i = 0; i < a.rows.size(); ++i)
+    for (size_t j = 0; j < a.columns.size(); ++j) {
+      const std::string what = fmt::format("{}, row {}, {}", a.name, i + 1, a.columns[j].name);
+      ASSERT_EQ(a.rows[i][j].index(), b.rows[i][j].index()) << what;
+      if (a.rows[i][j].index() == 0) {
+        EXPECT_EQ(a.rows[i][j], b.rows[i][j]) << what;
+      } else {
+        expect_near(std::get<double>(a.rows[i][j]), std::get<double>(b.rows[i][j]), tolerance, what);
+      }
+      if (!a.bars.empty()) expect_near(a.bars[i][j], b.bars[i][j], tolerance, "bar of " + what);
+    }
+}
+
+// Displacements, of the largest.
+void expect_near(const Trajectory& a, const Trajectory& b, double tolerance, const std::string& what) {
+  ASSERT_EQ(a.t.size(), b.t.size()) << what;
+  ASSERT_EQ(a.bodies.size(), b.bodies.size()) << what;
+  EXPECT_EQ(a.status, b.status) << what;
+  for (size_t i = 0; i < a.bodies.size(); ++i) {
+    const MatrixXd &u = a.bodies[i].displacement, &v = b.bodies[i].displacement;
+    ASSERT_TRUE(u.rows() == v.rows() && u.cols() == v.cols()) << what;
+    ASSERT_TRUE(u.allFinite() && v.allFinite() && u.size() > 0) << what;
+    EXPECT_LE((u - v).cwiseAbs().maxCoeff(), tolerance * u.cwiseAbs().maxCoeff()) << what;
+  }
+}
+
+// How many answers there were to compare.
+size_t expect_near(const Store& a, const Store& b, double tolerance) {
+  const auto findings = a.read_all_findings().findings, others = b.read_all_findings().findings;
+  EXPECT_EQ(findings.size(), others.size());
+  for (size_t i = 0; i < std::min(findings.size(), others.size()); ++i) expect_near(findings[i], others[i], tolerance);
+  size_t n_answers = 0;
+  for (const auto& [name, content] : finished(a.directory())) {
+    const fs::path file = name;
+    if (file.extension() != ".h5") continue;
+    const bool truth = file.parent_path() == "truth";
+    const auto read = [&](const Store& s) {
+      return truth ? s.read_truth(file.stem()) : s.read_trajectory(file.stem());
+    };
+    expect_near(read(a), read(b), tolerance, name);
+    ++n_answers;
+  }
+  return n_answers;
+}
+
+// Of free bodies, whose truth needs a mesh fine enough for two threads.
+std::string finely_meshed_case() {
+  std::string all = analysed_case();
+  const std::string coarse_mesh = "finer = { degree = 3, cells = [1, 2] }";
+  return all.replace(all.find(coarse_mesh), coarse_mesh.size(), "finer = { degree = 3, cells = [2, 4] }");
+}
+
+// Damping that couples the modes, and the map of steps by every integrator.
+constexpr const char* dashpot_case = R"(schema = 1
+name = "damper"
+title = "t"
+purpose = "p"
+source = "s"
+[time]
+duration = 0.1
+frame_rate = 60
+samples_per_second = 200
+[[body]]
+name = "bar"
+[body.shape]
+kind = "box"
+size = [0.05, 0.06, 0.2]
+[body.material]
+youngs_modulus = 2e4
+poissons_ratio = 0.3
+density = 1100
+[body.damping]
+beta = 1e-4
+[body.resolution]
+degree = 2
+cells = [1, 1, 3]
+[[body.support]]
+kind = "fixed"
+face = "z-min"
+[[body.dashpot]]
+face = "z-max"
+direction = [0.6, 0, 0.8]
+damping = 2
+[[load]]
+name = "knock"
+history = { kind = "pulse", duration = 0.02 }
+[[load.traction]]
+body = "bar"
+face = "x-max"
+traction = [-40, 10, 16]
+[truth]
+relative_tolerance = 1e-5
+finer = { degree = 3, cells = [2, 2, 6] }
+coarser = { degree = 2, cells = [2, 2, 6] }
+[study]
+methods = ["eigenmodes"]
+modes = [4, 16]
+analyses = ["damping-coupling", "stability-map"]
+[[study.rival]]
+integrator = "newmark"
+degrees = [2]
+cells = [[1, 1, 3]]
+time_steps = [0.005]
+)";
+
+// A box that falls flat and rebounds, by kicks.
+constexpr const char* contact_case = R"(schema = 1
+name = "bounce"
+title = "t"
+purpose = "p"
+source = "s"
+gravity = [0, 0, -9.81]
+[time]
+duration = 0.04
+frame_rate = 60
+samples_per_second = 1000
+[[body]]
+name = "box"
+pose = { position = [0, 0, 0.0301] }
+velocity = [0, 0, -0.3]
+[body.shape]
+kind = "box"
+size = [0.1, 0.08, 0.06]
+[body.material]
+youngs_modulus = 1e5
+poissons_ratio = 0.3
+density = 1000
+[body.resolution]
+degree = 2
+cells = [2, 2, 2]
+[[obstacle]]
+name = "floor"
+shape = { kind = "half-space" }
+[[contact]]
+body = "box"
+obstacle = "floor"
+stiffness = "auto"
+[truth]
+relative_tolerance = 1e-4
+finer = { degree = 2, cells = [4, 4, 4] }
+coarser = { degree = 2, cells = [2, 2, 2] }
+[study]
+methods = ["eigenmodes", "static-correction"]
+modes = [12]
+contact_steps = [5e-5]
+)";
+
+struct Threaded {
+  std::string name, content;
+  size_t n_answers;  // at least
+  bool analysed;
+  double rounding;  // of records: [-] of the truth, [m] or [rad] of bodies of 0.2 m
+};
+
+class ThreadsCases : public ::testing::TestWithParam<Threaded> {};
+
+// The rounding of some hundred steps, far below every error bar; a touch that begins with another bit earlier or later
+// multiplies it by ten. Tables and motions hold differences and times of extremes, too, which lose two digits more;
+// steps are chosen by an error estimate of 1e-4.
+TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRounding) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", GetParam().content);
+  for (const char* threads : {"1", "2"}) {
+    Process process(scratch.path(), run_with({"--threads", threads, "--store", threads}));
+    EXPECT_EQ(process.code(), 0) << process.err();
+  }
+  const auto one = read_records(scratch / "1/results.jsonl").records;
+  const auto two = read_records(scratch / "2/results.jsonl").records;
+  ASSERT_EQ(one.size(), two.size());
+  ASSERT_FALSE(one.empty());
+  if (two[0].provenance.at("threads") == "1") GTEST_SKIP() << "a BLAS of one thread";
+  for (size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].provenance.at("threads"), "1");
+    EXPECT_EQ(one[i].run, two[i].run);
+    EXPECT_EQ(one[i].metric, two[i].metric);
+    expect_near(one[i].value, two[i].value, GetParam().rounding, one[i].metric);
+  }
+  const Store first(scratch / "1"), second(scratch / "2");
+  EXPECT_EQ(!first.read_all_findings().findings.empty(), GetParam().analysed);
+  EXPECT_GE(expect_near(first, second, 100 * GetParam().rounding), GetParam().n_answers);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ThreadsCases,
+                         ::testing::Values(Threaded{"free", finely_meshed_case(), 7, true, 1e-10},
+                                           Threaded{"dashpot", dashpot_case, 7, true, 1e-10},
+                                           Threaded{"contact", contact_case, 5, false, 1e-9}),
+                         [](const auto& of) { return of.param.name; });
+
+}  // namespace
+}  // namespace mb
