@@ -8,6 +8,7 @@
 #include "cases/exact/exact_test_scenes.h"
 #include "cases/exact/exact_test_table.h"
 #include "cases/exact/radial_modes.h"
+#include "mechanics/extended_precision_test.h"
 #include "mechanics/verified_test.h"
 
 namespace mb {
@@ -121,6 +122,7 @@ TEST(RadialModesTest, RootsSatisfyTheFrequencyEquation) {
 }
 
 TEST(RadialModesTest, BesselIsSmoothAcrossItsForms) {
+  if (!is_long_double_wider()) GTEST_SKIP() << "the closed form cancels in double";
   for (const double z : {0.0, 1e-9, 0.3, 1 - 1e-9, 1 + 1e-9, 2.0, 40.0}) {
     const Bessel j = spherical_bessel(z);
     const long double x = z;  // closed form in extended precision, where it does not cancel

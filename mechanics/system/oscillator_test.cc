@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/extended_precision_test.h"
 #include "mechanics/system/modal_motion.h"
 #include "mechanics/system/oscillator_test.h"
 #include "mechanics/verified_test.h"
@@ -186,6 +187,7 @@ double error_over_gate(const Oscillator& oscillator, double Omega, double t) {
 }
 
 TEST(OscillatorTest, HarmonicLoadMatchesDuhamelsIntegral) {
+  if (!is_long_double_wider()) GTEST_SKIP() << "the integral overflows in double";
   for (double omega : {0.0, 0.01, 1.0, 30.0})
     for (double zeta : {0.0, 1e-6, 0.02, 0.5, 1 - 1e-15, 1.0, 1 + 1e-15, 1.5, 20.0})
       for (double ratio : {0.0, 1e-3, 0.5, 1 - 1e-3, 1 - 1e-9, 1.0, 1 + 1e-12, 1 + 1e-6, 1.1, 3.0, 40.0})
