@@ -27,7 +27,7 @@ TEST(InstructionCounter, ReadsDumpsByTheirNames) {
 }
 
 TEST(InstructionCounter, WhatIsNotUnderValgrindJustRuns) {
-  EXPECT_FALSE(is_counting());
+  if (is_counting()) GTEST_SKIP() << "run by valgrind";
   int n = 0;
   counted("once", [&] { ++n; });
   EXPECT_EQ(n, 1);
