@@ -179,9 +179,9 @@ struct Threaded {
 
 class ThreadsCases : public ::testing::TestWithParam<Threaded> {};
 
-// The rounding of some hundred steps, far below every error bar; a touch that begins with another bit earlier or later
-// multiplies it by ten. Tables and motions hold differences and times of extremes, too, which lose two digits more;
-// steps are chosen by an error estimate of 1e-4.
+// The rounding of some hundred steps, far below every error bar; in contact, whose touches begin and end by a bit
+// earlier or later, 6e-11 was seen. Tables and motions hold differences and times of extremes, too, which lose two
+// digits more; steps are chosen by an error estimate of 1e-4.
 TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRounding) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", GetParam().content);
