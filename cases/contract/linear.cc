@@ -61,11 +61,6 @@ bool is_corrected(const LinearBody& body) {
   return body.displacement.of_load.cols() > 0 || body.strain.of_load.cols() > 0;
 }
 
-Work operator+(const Work& a, const Work& b) {
-  return {a.steps + b.steps, a.rejected + b.rejected, a.factorisations + b.factorisations, a.solves + b.solves,
-          a.load_evaluations + b.load_evaluations};
-}
-
 class PreparedLinear final : public Prepared {
  public:
   PreparedLinear(std::shared_ptr<const Reduction> reduction, const Integrator& integrator, const Settings& settings,

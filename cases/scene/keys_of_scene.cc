@@ -165,9 +165,9 @@ const std::vector<KeyGroup>& scene_keys() {
         {"history.file", "a text of at most 255 bytes", "", "", "none",
          "a path below the case's folder: lines `t, s`, comments with `#`, an optional header, at most 1 MiB", ""},
         {"history.formula", "a text of at most 256 bytes", "", "", "required for expression",
-         "in `t` [s] and `pi`; finite and at most 1e6 at all samples and frames and at 4,000 times between, which is "
-         "no proof: a pole elsewhere fails the run, which says so, and a peak shorter than the time between goes "
-         "unseen; no assignment, `==` or `!=`",
+         "in `t` [s] and `pi`; finite and at most 1e6 throughout, which bounds over intervals of time must show: a "
+         "formula "
+         "whose terms nearly cancel may be refused; no assignment, `==` or `!=`",
          ""}}},
       {"`[[obstacle]]` (any number)",
        {{"obstacle.name", "a name", "", "", "required", "by which contacts refer to it", ""},

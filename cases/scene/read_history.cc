@@ -19,7 +19,17 @@ const Range omega_range{0, 1e9, "rad/s", true};
 const Range sweep_range{0, 1e9, "rad/s"};
 constexpr std::size_t most_entries = 10000;
 
+// Times nearer than this are one to every integrator, and to adaptive ones a step they cannot make.
+double apart(const HistoryContext& context) { return 1e-12 * context.longest_duration; }
 Range amplitude_range(const HistoryContext& context) { return {-1e6, 1e6, context.amplitude_unit}; }
+
+std::optional<double> read_length(Section& section, const HistoryContext& context) {
+  const auto length = section.number("duration", length_range);
+  if (!length || *length >= apart(context)) return length;
+  section.error("duration",
+                fmt::format("a load lasts 1e-12 of the case at least, {:.6g} s: {} s", apart(context), *length));
+  return std::nullopt;
+}
 
 struct Common {
   double amplitude, start;
@@ -53,7 +63,7 @@ std::optional<History> read_harmonic(Section& section, const Common& common, con
 std::optional<History> read_chirp(Section& section, const Common& common, const HistoryContext& context) {
   const auto omega0 = section.number("omega0", sweep_range);
   const auto omega1 = section.number("omega1", sweep_range);
-  const auto duration = section.number("duration", length_range);
+  const auto duration = read_length(section, context);
   if (!omega0 || !omega1 || !duration) return std::nullopt;
   if (!has_few_periods(section, "omega0", *omega0, context) || !has_few_periods(section, "omega1", *omega1, context))
     return std::nullopt;
@@ -61,8 +71,8 @@ std::optional<History> read_chirp(Section& section, const Common& common, const 
 }
 
 template <class Shaped>
-std::optional<History> read_shaped(Section& section, const Common& common) {
-  const auto duration = section.number("duration", length_range);
+std::optional<History> read_shaped(Section& section, const Common& common, const HistoryContext& context) {
+  const auto duration = read_length(section, context);
   if (!duration) return std::nullopt;
   return Shaped{*duration, common.amplitude, common.start};
 }
@@ -102,18 +112,17 @@ std::optional<NamedTable> table_of_file(Section& section, const HistoryContext& 
 }
 
 bool ascends(const NamedTable& named, Section& section, const HistoryContext& context) {
-  // Entries nearer than this are a jump to every integrator, and to adaptive ones a step they cannot make.
-  const double apart = 1e-12 * context.longest_duration;
   const std::vector<double>& t = named.read.table.t;
   for (std::size_t i = 1; i < t.size(); ++i) {
-    if (t[i] >= t[i - 1] + apart) continue;
+    if (t[i] >= t[i - 1] + apart(context)) continue;
     const bool later = t[i] > t[i - 1];
     const std::string found =
         named.file.empty()
             ? fmt::format("t = {} s at entry {} follows {} s", t[i], i + 1, t[i - 1])
             : named.entry(i) + (later ? " follows the entry before by less" : " does not follow the entry before");
-    section.error(named.key, later ? fmt::format("times must be 1e-12 of the duration apart, {} s: {}", apart, found)
-                                   : "times must ascend: " + found);
+    section.error(named.key,
+                  later ? fmt::format("times must be 1e-12 of the duration apart, {} s: {}", apart(context), found)
+                        : "times must ascend: " + found);
     return false;
   }
   return true;
@@ -168,8 +177,8 @@ std::optional<History> read_kind(const std::string& kind, Section& section, cons
   if (kind == "expression") return read_expression(section, context);
   const Common common = read_common(section, context);
   if (kind == "step") return Step{common.amplitude, common.start};
-  if (kind == "pulse") return read_shaped<Pulse>(section, common);
-  if (kind == "ramp") return read_shaped<Ramp>(section, common);
+  if (kind == "pulse") return read_shaped<Pulse>(section, common, context);
+  if (kind == "ramp") return read_shaped<Ramp>(section, common, context);
   if (kind == "harmonic") return read_harmonic(section, common, context);
   return read_chirp(section, common, context);
 }

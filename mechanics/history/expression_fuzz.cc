@@ -1,13 +1,15 @@
 // Formulas from case files: whatever the text, it is refused by a std::domain_error or has the value that it has in
-// parentheses, each time again; and what expression_problem lets pass is finite at every time asked for, and elsewhere
-// finite or said to be not.
+// parentheses, each time again; its bounds over intervals hold each value; and what expression_problem lets pass is
+// finite at every time asked for, and elsewhere finite or, within a few ulp, said to be not.
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "mechanics/history/enclosure.h"
 #include "mechanics/history/expression.h"
 #include "mechanics/history/history.h"
 
@@ -42,6 +44,24 @@ void require_value_or_its_name(const mb::Formula& formula, double t) {
   }
 }
 
+// Two readers of one grammar, muParser's values and our bounds.
+void require_bounds(const std::string& text) {
+  const mb::Formula formula(text);
+  const mb::Enclosure bounds = mb::enclosure(text);
+  for (const double width : {0.0, 1e-9, 0.01, 1.0}) {
+    for (const double start : {0.0, 0.3, 0.75}) {
+      const mb::Interval s = bounds({start, start + width});
+      for (const double t : {start, start + 0.4 * width, start + width}) {
+        const Bits value_at_t = value(formula, t);
+        if (!value_at_t && s.defined && std::isfinite(s.lo) && std::isfinite(s.hi))
+          throw std::logic_error("bounds where there is no value");
+        const double x = value_at_t ? std::bit_cast<double>(*value_at_t) : s.lo;
+        if (!(s.lo <= x && x <= s.hi)) throw std::logic_error("a value beyond its bounds");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -55,6 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (reads && size < 490) try {
       require_same_values(text);
+      require_bounds(text);
     } catch (const std::domain_error&) {
       throw std::logic_error("refused in parentheses");
     }

@@ -66,10 +66,11 @@ double value(const Segment& segment, double t);
 // The same line and wave on [start, end), with tau counted from the new start.
 Segment rebased(const Segment& segment, double start, double end);
 
-// Segments that tile [0, duration] without gaps, and the largest |s - segments| (0 where exact).
+// Segments that tile [0, duration] without gaps, and the largest |s - segments| as measured (0 where exact), relative
+// to max |s| of a chirp, to max(mean |s|, |s|) of an expression.
 struct Segments {
   std::vector<Segment> pieces;
-  double load_error = 0;  // [-] measured bound, relative to the largest |s|
+  double load_error = 0;  // [-]
 };
 
 // s(t). Throws std::domain_error where an expression is not well formed or not finite. Compiles an expression anew.
@@ -81,17 +82,16 @@ std::function<double(double)> evaluator(const History& history);
 // Times in (0, duration) where s, s' or s'' may jump, ascending: adaptive steps end there. None of an expression.
 std::vector<double> breakpoints(const History& history, double duration);
 
-// tolerance [-]: largest error of resampling relative to max |s|; only chirp and expression use it.
+// tolerance [-]: largest load_error; only chirp and expression use it.
 // Throws std::domain_error where the history is not finite or cannot be resampled within 100,000 pieces, and
 // std::invalid_argument (as do breakpoints and peak) where an argument or a number of the history is out of range.
 Segments segments(const History& history, double duration, double tolerance = 1e-6);
 
-// Supremum of |s| on [0, duration]; of an expression, the largest found by sampling and local search.
+// Supremum of |s| on [0, duration]; of an expression to 1 % (peak.h).
 double peak(const History& history, double duration);
 
-// Empty when the formula is well formed, finite at some 4,000 irregular points of [0, duration], where |s| is sought to
-// be largest and at `times` [s]; else one sentence that says why not. That is no proof: a gap or pole narrower than the
-// distance of those points may be left. Whoever meets it later gets the std::domain_error of value(), and says so.
+// Empty when the formula is well formed and finite on [0, duration], shown by bounds on intervals (peak.h), and at
+// `times` [s]; else one sentence that says why not.
 std::string expression_problem(const std::string& formula, double duration, const std::vector<double>& times = {});
 
 }  // namespace mb

@@ -8,21 +8,31 @@
 #include <optional>
 #include <stdexcept>
 
+#include "mechanics/history/peak.h"
+
 namespace mb {
 namespace {
 
 using Function = std::function<double(double)>;
 
-// Multiples of the golden ratio modulo 1: evenly spread at any number, and no period of f can hide between them.
-double golden_fraction(int i) {
-  const double x = 0.5 + 0.6180339887498949 * i;
-  return x - std::floor(x);
+constexpr long most_bounds = 4'000'000;
+constexpr double unseen = 0.01;  // [-] of the scale: what f may do between the points measured at, by its bounds
+
+double shortest_of(double end) { return 4 * std::numeric_limits<double>::epsilon() * std::abs(end); }
+
+double scale_of(double least, double f_a, double f_b) {
+  return std::max(least, std::min(std::abs(f_a), std::abs(f_b)));
 }
 
 class Bisection {
  public:
-  Bisection(const Function& f, double start, double end, double tolerance)
-      : f_(f), end_(end), length_(end - start), tolerance_(tolerance) {
+  Bisection(const Function& f, const Enclosure& bounds, double start, double end, double tolerance, double least_scale)
+      : f_(f),
+        bounds_(bounds),
+        shortest_(shortest_of(end)),
+        length_(end - start),
+        tolerance_(tolerance),
+        least_scale_(least_scale) {
     refine(start, f(start), end, f(end));
   }
   // Empty when there would be more than most_pieces.
@@ -34,15 +44,28 @@ class Bisection {
   // Long intervals are probed at more points, so that a bump which is short against the whole is still seen.
   bool is_line(double a, double f_a, double b, double f_b) const {
     const int n_probes = 7 + static_cast<int>(2048 * (b - a) / length_);
+    const double scale = scale_of(least_scale_, f_a, f_b);
     for (int i = 0; i < n_probes; ++i) {
       const double x = golden_fraction(i);
-      if (!(std::abs(f_(a + x * (b - a)) - (f_a + x * (f_b - f_a))) <= tolerance_)) return false;
+      if (!(std::abs(f_(a + x * (b - a)) - (f_a + x * (f_b - f_a))) <= tolerance_ * scale)) return false;
     }
-    return true;
+    return !bounds_ || stays_near({a, b, f_a, (f_b - f_a) / (b - a)}, a, b, scale);
+  }
+  // By its bounds, between the probes too.
+  bool stays_near(const Segment& line, double a, double b, double scale) const {
+    const Interval s = bounds_({a, b});
+    const double x = value(line, a), y = value(line, b), most = (unseen + tolerance_) * scale;
+    if (s.defined && s.hi - std::min(x, y) <= most && std::max(x, y) - s.lo <= most) return true;
+    if (b - a <= shortest_) return true;
+    if (++n_bounds_ > most_bounds)
+      throw std::domain_error(fmt::format("cannot be told from a line near t = {:.6g} s: its terms nearly cancel", a));
+    const double middle = 0.5 * (a + b);
+    if (!(std::abs(f_(middle) - value(line, middle)) <= tolerance_ * scale)) return false;
+    return stays_near(line, a, middle, scale) && stays_near(line, middle, b, scale);
   }
   void refine(double a, double f_a, double b, double f_b) {
     if (pieces_.size() > most_pieces) return;
-    if (b - a <= 4 * std::numeric_limits<double>::epsilon() * std::abs(end_)) {
+    if (b - a <= shortest_) {
       pieces_.push_back({a, b, f_a});
     } else if (is_line(a, f_a, b, f_b)) {
       pieces_.push_back({a, b, f_a, (f_b - f_a) / (b - a)});
@@ -54,73 +77,47 @@ class Bisection {
   }
 
   const Function& f_;
-  double end_, length_, tolerance_;
+  const Enclosure& bounds_;
+  double shortest_, length_, tolerance_, least_scale_;
+  mutable long n_bounds_ = 0;
   std::vector<Segment> pieces_;
 };
 
-double measured_error(const Function& f, const std::vector<Segment>& pieces) {
-  constexpr int n_points = 16;
+constexpr int n_points = 16;
+double point(const Segment& piece, int i) { return piece.start + (i + 0.5) / n_points * (piece.end - piece.start); }
+
+double measured_error(const Function& f, const std::vector<Segment>& pieces, double least_scale) {
   double error = 0;
   for (const auto& piece : pieces) {
-    if (piece.end - piece.start <= 4 * std::numeric_limits<double>::epsilon() * std::abs(pieces.back().end)) continue;
+    if (piece.end - piece.start <= shortest_of(pieces.back().end)) continue;
+    const double scale = scale_of(least_scale, value(piece, piece.start), value(piece, piece.end));
     for (int i = 0; i < n_points; ++i) {
-      const double t = piece.start + (i + 0.5) / n_points * (piece.end - piece.start);
-      error = std::max(error, std::abs(f(t) - value(piece, t)));
+      const double off = std::abs(f(point(piece, i)) - value(piece, point(piece, i)));
+      if (off > 0) error = std::max(error, off / scale);
     }
   }
   return error;
 }
 
-// Golden-section search for the largest |f| on [a, b]
-double local_peak(const Function& f, double a, double b) {
-  constexpr double ratio = 0.6180339887498949;
-  double x = b - ratio * (b - a), y = a + ratio * (b - a), f_x = std::abs(f(x)), f_y = std::abs(f(y));
-  double largest = std::max(f_x, f_y);
-  for (int i = 0; i < 60; ++i) {  // 0.618^60 = 3e-13 of the interval
-    if (f_x > f_y) {
-      b = y, y = x, f_y = f_x, x = b - ratio * (b - a), f_x = std::abs(f(x));
-    } else {
-      a = x, x = y, f_x = f_y, y = a + ratio * (b - a), f_y = std::abs(f(y));
-    }
-    largest = std::max({largest, f_x, f_y});
-  }
-  return largest;
-}
-
 }  // namespace
 
-Lines resample(const Function& f, double start, double end, double tolerance) {
-  for (double share : {0.75, 0.4, 0.2, 0.1}) {  // the finer set may find what the probes have missed
-    const auto pieces = Bisection(f, start, end, share * tolerance).pieces();
-    if (!pieces) break;
-    const double error = measured_error(f, *pieces);
-    if (error <= tolerance) return {*pieces, error};
-  }
-  throw std::domain_error(fmt::format("cannot be resampled to {:.3g} within {} pieces on [{:.6g}, {:.6g}] s", tolerance,
-                                      most_pieces, start, end));
+double mean_size(const Function& f, const std::vector<Segment>& pieces) {
+  double sum = 0;
+  for (const auto& piece : pieces)
+    for (int i = 0; i < n_points; ++i) sum += std::abs(f(point(piece, i))) * (piece.end - piece.start) / n_points;
+  return sum / (pieces.back().end - pieces.front().start);
 }
 
-double sampled_peak(const Function& f, double start, double end) {
-  constexpr int n_cells = 4096, n_searched = 32;
-  std::vector<double> t = {start}, s = {std::abs(f(start))};
-  for (int i = 0; i < n_cells; ++i) {
-    t.push_back(start + (i + golden_fraction(i)) / n_cells * (end - start));
-    s.push_back(std::abs(f(t.back())));
+Lines resample(const Function& f, double start, double end, double tolerance, double least_scale,
+               const Enclosure& bounds) {
+  for (double share : {0.75, 0.4, 0.2, 0.1}) {  // the finer set may find what the probes have missed
+    const auto pieces = Bisection(f, bounds, start, end, share * tolerance, least_scale).pieces();
+    if (!pieces) break;
+    const double error = measured_error(f, *pieces, least_scale);
+    if (error <= tolerance) return {*pieces, error};
   }
-  t.push_back(end), s.push_back(std::abs(f(end)));
-  const double sampled = *std::max_element(s.begin(), s.end());
-
-  std::vector<std::size_t> maxima;
-  for (std::size_t i = 1; i + 1 < s.size(); ++i)
-    if (s[i] >= s[i - 1] && s[i] >= s[i + 1] && s[i] > 0) maxima.push_back(i);
-  std::sort(maxima.begin(), maxima.end(), [&](std::size_t i, std::size_t j) { return s[i] > s[j]; });
-  if (maxima.size() > n_searched) maxima.resize(n_searched);
-  double largest = sampled;
-  for (const auto i : maxima) largest = std::max(largest, local_peak(f, t[i - 1], t[i + 1]));
-  if (largest > 1e3 * sampled)  // a pole: what the search finds has grown by the fineness of the search
-    throw std::domain_error(
-        fmt::format("seems unbounded: |s| reaches {:.3g} between samples of at most {:.3g}", largest, sampled));
-  return largest;
+  throw std::domain_error(fmt::format("cannot be resampled to {:.3g} within {} pieces on [{:.6g}, {:.6g}] s",
+                                      tolerance * least_scale, most_pieces, start, end));
 }
 
 }  // namespace mb

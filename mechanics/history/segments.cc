@@ -4,7 +4,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mechanics/history/enclosure.h"
 #include "mechanics/history/history.h"
+#include "mechanics/history/peak.h"
 #include "mechanics/history/resample.h"
 #include "mechanics/types.h"
 
@@ -70,10 +72,7 @@ Segments chain(const Table& h, double, double) {
   return result;
 }
 
-Segments resampled(const std::function<double(double)>& s, double start, double end, double tolerance, double scale) {
-  auto lines = resample(s, start, end, tolerance * scale);
-  return {std::move(lines.pieces), scale > 0 ? lines.error / scale : 0};
-}
+Segments of(Lines lines) { return {std::move(lines.pieces), lines.error}; }
 
 Segments chain(const Chirp& h, double duration, double tolerance) {
   const double start = std::max(h.start, 0.0), end = std::min(h.start + h.duration, duration);
@@ -81,12 +80,15 @@ Segments chain(const Chirp& h, double duration, double tolerance) {
   Chirp endless = h;  // its last node is the limit from the left, not the zero that follows
   endless.duration = 2 * h.duration;
   endless.omega1 = 2 * h.omega1 - h.omega0;
-  return resampled(evaluator(endless), start, end, tolerance, peak(h, duration));
+  return of(resample(evaluator(endless), start, end, tolerance, peak(h, duration)));
 }
 
+// Against the mean of |s|: a short window may be far higher than all the rest, and not weigh more.
 Segments chain(const Expression& h, double duration, double tolerance) {
   const auto s = evaluator(h);
-  return resampled(s, 0, duration, tolerance, sampled_peak(s, 0, duration));
+  const Enclosure bounds = enclosure(h.formula);
+  const Lines rough = resample(s, 0, duration, 0.01, largest_size(s, bounds, 0, duration), bounds);
+  return of(resample(s, 0, duration, tolerance, mean_size(s, rough.pieces), bounds));
 }
 
 // Largest |sin| over the phases [from, to]
@@ -123,7 +125,9 @@ double largest(const Table& h, double duration) {  // of a chain of lines: at th
     result = std::max({result, std::abs(value(piece, piece.start)), std::abs(value(piece, piece.end))});
   return result;
 }
-double largest(const Expression& h, double duration) { return sampled_peak(evaluator(h), 0, duration); }
+double largest(const Expression& h, double duration) {
+  return largest_size(evaluator(h), enclosure(h.formula), 0, duration);
+}
 
 std::vector<double> corners(const Step& h) { return {h.start}; }
 std::vector<double> corners(const Harmonic& h) { return {h.start}; }
@@ -182,7 +186,7 @@ std::string expression_problem(const std::string& formula, double duration, cons
   if (!positive(duration)) return "the duration must be positive";
   try {
     const auto s = evaluator(Expression{formula});
-    sampled_peak(s, 0, duration);
+    largest_size(s, enclosure(formula), 0, duration);
     for (const double t : times) s(t);
   } catch (const std::domain_error& error) {
     return error.what();

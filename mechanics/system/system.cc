@@ -101,6 +101,11 @@ States Stepper::averages(const VectorXd&, double) const {
   throw std::invalid_argument("this integrator has no exact averages over time: only closed forms have");
 }
 
+Work operator+(const Work& a, const Work& b) {
+  return {a.steps + b.steps, a.rejected + b.rejected, a.factorisations + b.factorisations, a.solves + b.solves,
+          a.load_evaluations + b.load_evaluations};
+}
+
 const char* to_string(Status status) {
   switch (status) {
     case Status::ok:

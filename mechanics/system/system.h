@@ -69,6 +69,7 @@ double strain_energy(const System& system, const VectorXd& u);   // [J] the stor
 struct Work {
   long steps = 0, rejected = 0, factorisations = 0, solves = 0, load_evaluations = 0;
 };
+Work operator+(const Work& a, const Work& b);
 
 // unstable: energy grew; inverted: a deformation whose Jacobian is not positive everywhere
 enum class Status { ok, not_finite, no_convergence, too_many_steps, unstable, inverted };

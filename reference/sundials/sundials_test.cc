@@ -138,6 +138,34 @@ TEST(SundialsVerification, ReleaseFromOneModeIsACosine) {
   EXPECT_LT(relative(s.M, states.u, expected), 3e-7);
 }
 
+// What samples of a formula miss, its bounds do not: 1e-5 of the run, at a hundred times the rest of the load.
+TEST(SundialsVerification, AShortWindowOfAFormulaAgreesWithAllModes) {
+  const Errors errors = expect_agreement(
+      small_cylinder(Expression{"0.01*sin(10*t)^2 + (t > 0.15093 ? (t < 0.150933 ? 100 : 0) : 0)"}, {1.5733, 0}), 1e-6,
+      1e-5);
+  expect_closed_form("displacement under a formula that is 1 for 3e-6 s and 1e-4 elsewhere, over 88 times, mass norm",
+                     1e-6, "Ten times the load error that its lines are resampled to.", errors.M);
+}
+
+// The peak of such a load moves nothing near as far as it would if it lasted: tolerances that rest on it are met by
+// whatever comes out.
+TEST(SundialsVerification, APulseFarShorterThanAllPeriodsAgreesWithAllModes) {
+  double off = 0;
+  for (const double length : {1e-6, 1e-8, 1e-10}) {
+    const Scene scene = small_cylinder(Pulse{length, 1, 0.1}, {1.5733, 0});
+    const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
+    const System& s = model->system();
+    const States closed = exact(s, 0.29)->run(times);
+    const States loose = sundials(s, 1e-6, 0.29)->run(times), tight = sundials(s, 1e-8, 0.29)->run(times);
+    EXPECT_LT(relative(s.M, loose.u, closed.u), 1e-3) << length;
+    off = worse(off, relative(s.M, tight.u, closed.u));
+    EXPECT_GT(tight.work.steps, loose.work.steps) << "a tolerance that asks for nothing tells of no error";
+  }
+  EXPECT_LT(off, 1e-5);
+  expect_closed_form("displacement under pulses of 1e-6, 1e-8 and 1e-10 s, over 88 times, mass norm", 1e-5,
+                     "A thousand times the tolerance of a step, 1e-8, whose errors add up.", off);
+}
+
 TEST(Sundials, ErrorFallsWithTheTolerance) {
   const Scene scene = small_cylinder(Pulse{0.096881}, {1.5733, 0});
   const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
