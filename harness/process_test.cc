@@ -1,6 +1,7 @@
 #include "harness/process_test.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -74,17 +75,28 @@ void Process::send(int signal) const {
 }
 void Process::send_to_group(int signal) const { ::kill(-process_, signal); }
 
+bool Process::reap(int options) {
+  rusage used{};
+  ended_ = ::wait4(process_, &status_, options, &used) == process_;
+  if (ended_) most_resident_ = used.ru_maxrss;
+  return ended_;
+}
+
 bool Process::ends_within(double seconds) {
   for (double waited = 0; !ended_ && waited <= seconds; waited += 0.002) {
-    ended_ = ::waitpid(process_, &status_, WNOHANG) == process_;
-    if (!ended_) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (!reap(WNOHANG)) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   return ended_;
 }
 
 int Process::code() {
-  if (!ended_) ended_ = ::waitpid(process_, &status_, 0) == process_;
+  if (!ended_) reap(0);
   return WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_);
+}
+
+double Process::most_memory() {
+  code();
+  return 1024.0 * static_cast<double>(most_resident_);
 }
 
 std::vector<pid_t> Process::children() const {

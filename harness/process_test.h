@@ -25,13 +25,17 @@ class Process {
   void send_to_group(int signal) const;  // of which it must be the leader
   bool ends_within(double seconds);      // whether it has ended by then
   int code();                            // waits; the exit code, or minus the signal that ended it
+  double most_memory();                  // waits; [byte] resident at the peak
   std::string out() const, err() const;
   std::vector<pid_t> children() const;  // that it has forked and that run now
 
  private:
+  bool reap(int options);  // whether it has ended
+
   std::filesystem::path out_, err_;
   pid_t process_;
   int status_ = 0;
+  long most_resident_ = 0;  // [KiB]
   bool ended_ = false;
 };
 

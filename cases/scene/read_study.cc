@@ -12,6 +12,9 @@ namespace {
 
 // The closed form of a body's own matrices needs all their modes: dense ones, n^3 operations and 8 n^2 bytes each.
 constexpr double most_dense = 6000;
+// Where a dashpot couples them, complex ones of twice as many unknowns (mechanics/system/complex_modes.h).
+constexpr int most_coupled = 1000;
+constexpr double most_contact_steps = 2e7;  // in a run: modal/contact/impact_motion.cc
 
 void check_dense(const Methods& methods, const std::vector<BodyDraft>& bodies, Findings& findings) {
   for (const auto& method : methods) {
@@ -19,14 +22,25 @@ void check_dense(const Methods& methods, const std::vector<BodyDraft>& bodies, F
     for (const BodyDraft& body : bodies) {
       if (!body.shape || !body.resolution || !body.theory) continue;
       const double n = n_dofs(*body.shape, *body.resolution, *body.theory);
-      if (n <= most_dense) continue;
+      const bool coupled = !body.dashpots.dashpots.empty();
+      if (n <= (coupled ? most_coupled : most_dense)) continue;
       findings.error(method.where,
-                     fmt::format("'full' in closed form takes at most {:.0f} degrees of freedom: {} of body '{}' has "
+                     fmt::format("'full' in closed form takes at most {:.0f} degrees of freedom{}: {} of body '{}' has "
                                  "{:.0f}",
-                                 most_dense, to_string(*body.resolution), body.name.value_or(""), n),
+                                 coupled ? most_coupled : most_dense, coupled ? ", coupled by a dashpot" : "",
+                                 to_string(*body.resolution), body.name.value_or(""), n),
                      "as a method of [[study.stepping]] it takes any mesh");
     }
   }
+}
+
+void check_coupled(Section& section, const std::vector<int>& modes, const std::vector<BodyDraft>& bodies) {
+  const auto most = std::ranges::max_element(modes);
+  if (most == modes.end() || *most <= most_coupled) return;
+  for (const BodyDraft& body : bodies)
+    if (!body.dashpots.dashpots.empty())
+      section.error("modes", fmt::format("the dashpot of body '{}' couples modes: at most {} in closed form, not {}",
+                                         body.name.value_or(""), most_coupled, *most));
 }
 
 // Ratios of single modes couple polynomial functions, which are not modes of the body: no equation stands alone.
@@ -55,12 +69,26 @@ std::vector<int> effective_modes(Section& section, std::optional<Section>& profi
   return values_of(modes);
 }
 
+// A scene may touch all the time, and what has begun is not interrupted.
+bool are_few(Section& table, const char* key, const std::vector<double>& steps, double duration) {
+  for (const double step : steps) {
+    if (step * most_contact_steps >= duration) continue;
+    table.error(key, fmt::format("steps of {} s could be more than {:.0e} within {} s: at least {:.3g} s", step,
+                                 most_contact_steps, duration, duration / most_contact_steps));
+    return false;
+  }
+  return true;
+}
+
 // Likewise the steps while bodies touch. contact: whether there is any; nothing: not known.
 std::vector<double> effective_contact_steps(Section& section, std::optional<Section>& profile, bool required,
-                                            const std::optional<bool>& contact) {
+                                            const std::optional<bool>& contact, double duration) {
   const char* const key = "contact_steps";
   const auto read = [&](Section& table) -> std::optional<std::vector<double>> {
-    if (contact != false) return table.numbers(key, {0, 1, "s", true}, {1, 64});
+    if (contact != false) {
+      auto steps = table.numbers(key, {0, 1, "s", true}, {1, 64});
+      return steps && are_few(table, key, *steps, duration) ? steps : std::nullopt;
+    }
     table.findings().error(table.where_key(key),
                            fmt::format("'{}' in {}: only scenes with contact take it", key, table.title()));
     return std::nullopt;
@@ -144,7 +172,9 @@ Study read_study(Section section, std::optional<Section>& profile, const std::ve
   }
   study.methods = values_of(methods);
   study.modes = effective_modes(section, profile, methods && take_modes(*methods, vocabulary), bodies);
-  study.contact_steps = effective_contact_steps(section, profile, methods && touch(bodies) == true, touch(bodies));
+  check_coupled(section, study.modes, bodies);
+  study.contact_steps =
+      effective_contact_steps(section, profile, methods && touch(bodies) == true, touch(bodies), times.own);
   study.rotations = read_rotations(section, bodies);
   study.analyses = read_analyses(section, vocabulary, bodies);
   study.load_tolerance = section.number("load_tolerance", {1e-9, 0.1}, study.load_tolerance);

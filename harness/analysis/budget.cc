@@ -111,7 +111,7 @@ class Budget {
   std::vector<Finding> findings() && { return std::move(tables_).findings(); }
 
  private:
-  Normed normed(const Trajectory& answer) const { return in_both_norms(answer, metric_); }
+  std::shared_ptr<const Normed> normed(const Trajectory& answer) const { return in_both_norms(answer, metric_); }
 
   const AnalysisContext& context_;
   const Body& body_;
@@ -119,7 +119,7 @@ class Budget {
   MetricContext metric_;
   std::vector<BudgetLink> full_;  // same mesh, finer, and the continuum where known
   std::string closed_name_;
-  Normed closed_;  // the closed form of the method and mode count last asked for
+  std::shared_ptr<const Normed> closed_;  // the closed form of the method and mode count last asked for
   BudgetTables tables_;
 };
 

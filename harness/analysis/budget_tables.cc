@@ -43,11 +43,11 @@ Finding cross_table() {
 
 }  // namespace
 
-Normed in_both_norms(const Trajectory& answer, const MetricContext& context) {
-  Normed both{in_mass_norm(answer, context), in_energy_norm(answer, context)};
+std::shared_ptr<const Normed> in_both_norms(const Trajectory& answer, const MetricContext& context) {
+  auto both = std::make_shared<Normed>(in_mass_norm(answer, context), in_energy_norm(answer, context));
   if (answer.status == Status::ok) return both;
-  both.mass.setConstant(std::numeric_limits<double>::quiet_NaN());
-  both.energy.setConstant(std::numeric_limits<double>::quiet_NaN());
+  both->mass.setConstant(std::numeric_limits<double>::quiet_NaN());
+  both->energy.setConstant(std::numeric_limits<double>::quiet_NaN());
   return both;
 }
 
@@ -67,10 +67,10 @@ BudgetTables::BudgetTables(const std::string& answers) : parts_(parts_table(answ
 
 void BudgetTables::add(const BudgetOf& of, const std::vector<BudgetLink>& chain) {
   const std::vector<BudgetLink> links = merged(chain);
-  std::vector<MatrixXd> mass, energy;
+  Chain mass, energy;
   for (const BudgetLink& link : links) {
-    mass.push_back(link.answer->mass);
-    energy.push_back(link.answer->energy);
+    mass.emplace_back(link.answer->mass);
+    energy.emplace_back(link.answer->energy);
   }
   const Telescope M = telescope(mass), K = telescope(energy);
   const auto row = [&](const std::string& name, double m, double k) -> std::vector<FindingCell> {

@@ -1,7 +1,7 @@
 // The tables of the analysis `budget`, of scenes with loads and with contact alike; columns stand in analyses.h.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,12 +14,12 @@ namespace mb {
 struct Normed {
   MatrixXd mass, energy;
 };
-Normed in_both_norms(const Trajectory& answer, const MetricContext& context);
+std::shared_ptr<const Normed> in_both_norms(const Trajectory& answer, const MetricContext& context);
 
 // An answer of the telescope, and what it does not simplify as the one before it does; none where it cannot be made.
 struct BudgetLink {
-  std::string name;              // "truncation"; of the first answer ""
-  std::optional<Normed> answer;  // of the first and the last one always
+  std::string name;                      // "truncation"; of the first answer ""
+  std::shared_ptr<const Normed> answer;  // of the first and the last one always
 };
 // Without the answers that are missing: the links on both sides of them become one, "truncation + discretisation".
 std::vector<BudgetLink> merged(const std::vector<BudgetLink>& chain);

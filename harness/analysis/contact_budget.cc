@@ -85,12 +85,12 @@ class ContactBudget {
     std::optional<Trajectory> answer, neighbour;
   };
 
-  Normed normed(const Trajectory& answer, size_t b) const {
+  std::shared_ptr<const Normed> normed(const Trajectory& answer, size_t b) const {
     return in_both_norms(answer, {scene_, static_cast<Index>(b), points_[b], !is_held(scene_.bodies[b])});
   }
 
-  std::optional<Normed> normed(const std::optional<Trajectory>& answer, size_t b) const {
-    return answer ? std::optional(normed(*answer, b)) : std::nullopt;
+  std::shared_ptr<const Normed> normed(const std::optional<Trajectory>& answer, size_t b) const {
+    return answer ? normed(*answer, b) : nullptr;
   }
 
   // Nothing where it cannot be made: why goes into the note.

@@ -9,23 +9,26 @@
 
 namespace mb {
 
-Telescope telescope(const std::vector<MatrixXd>& chain) {
+Telescope telescope(const Chain& chain) {
   if (chain.size() < 2) throw std::invalid_argument("a telescope needs two answers at least");
+  const MatrixXd &first = chain.front(), &last = chain.back();
   for (const MatrixXd& y : chain)
-    if (y.rows() != chain[0].rows() || y.cols() != chain[0].cols())
+    if (y.rows() != first.rows() || y.cols() != first.cols())
       throw std::invalid_argument("a telescope needs answers at the same points and times");
   const auto n = static_cast<Index>(chain.size()) - 1;
-  const double squared = chain.back().squaredNorm();
+  const double squared = last.squaredNorm();
   const double scale = squared > 0 ? squared : std::numeric_limits<double>::quiet_NaN();
-  std::vector<MatrixXd> a;
-  for (size_t i = 1; i < chain.size(); ++i) a.push_back(chain[i - 1] - chain[i]);
-  Telescope result{VectorXd(n), MatrixXd::Zero(n, n), (chain.front() - chain.back()).norm() / std::sqrt(scale)};
-  for (Index i = 0; i < n; ++i) {
-    const MatrixXd& part = a[static_cast<size_t>(i)];
-    result.parts(i) = part.norm() / std::sqrt(scale);
-    for (Index j = i + 1; j < n; ++j)
-      result.cross(i, j) = 2 * part.cwiseProduct(a[static_cast<size_t>(j)]).sum() / scale;
+  MatrixXd products = MatrixXd::Zero(n, n), a(first.rows(), n);  // <a_i, a_j>; the parts at one time
+  for (Index k = 0; k < first.cols(); ++k) {
+    for (Index i = 0; i < n; ++i) {
+      const MatrixXd &y = chain[static_cast<size_t>(i)], &next = chain[static_cast<size_t>(i) + 1];
+      a.col(i) = y.col(k) - next.col(k);
+    }
+    products += a.transpose() * a;
   }
+  Telescope result{(products.diagonal() / scale).cwiseSqrt(), MatrixXd::Zero(n, n),
+                   (first - last).norm() / std::sqrt(scale)};
+  result.cross.triangularView<Eigen::StrictlyUpper>() = 2 / scale * products;
   return result;
 }
 

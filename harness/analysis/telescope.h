@@ -6,6 +6,7 @@
 // Parts are vectors: their norms do not add up where they point the same way, or against each other.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "harness/metrics/metric.h"
@@ -18,7 +19,8 @@ struct Telescope {
   double total;    // |e| / |y_n|
 };
 // chain: y_0 ... y_n, at least two of one size. NaN where the last one vanishes or an answer is not finite.
-Telescope telescope(const std::vector<MatrixXd>& chain);
+using Chain = std::vector<std::reference_wrapper<const MatrixXd>>;
+Telescope telescope(const Chain& chain);
 
 // Answers in the norms of the metrics (metric.h) as matrices whose Frobenius products are those norms' products over
 // space and time: deformation in the M norm, strain in the K norm. 0 columns where strains were not recorded.

@@ -9,10 +9,12 @@
 namespace mb {
 namespace {
 
+Telescope of(const std::vector<MatrixXd>& chain) { return telescope({chain.begin(), chain.end()}); }
+
 TEST(Telescope, PartsAndCrossTermsMakeUpTheTotal) {
   std::vector<MatrixXd> chain;
   for (int i = 0; i < 4; ++i) chain.push_back(MatrixXd::Random(30, 7));
-  const Telescope found = telescope(chain);
+  const Telescope found = of(chain);
   EXPECT_NEAR(found.parts.squaredNorm() + found.cross.sum(), found.total * found.total, 1e-12);
   EXPECT_NEAR(found.parts(1), (chain[1] - chain[2]).norm() / chain[3].norm(), 1e-14);
   EXPECT_NEAR(found.total, (chain[0] - chain[3]).norm() / chain[3].norm(), 1e-14);
@@ -20,21 +22,21 @@ TEST(Telescope, PartsAndCrossTermsMakeUpTheTotal) {
 
 TEST(Telescope, TellsPartsThatAddFromPartsThatHideEachOther) {
   const MatrixXd truth = MatrixXd::Ones(2, 2), step = MatrixXd::Constant(2, 2, 0.1);
-  const Telescope adding = telescope({truth + 2 * step, truth + step, truth});
+  const Telescope adding = of({truth + 2 * step, truth + step, truth});
   EXPECT_NEAR(adding.total, adding.parts.sum(), 1e-14);
   EXPECT_NEAR(adding.cross(0, 1), 2 * 0.1 * 0.1, 1e-14);
-  const Telescope hiding = telescope({truth, truth + step, truth});
+  const Telescope hiding = of({truth, truth + step, truth});
   EXPECT_EQ(hiding.total, 0);
   EXPECT_NEAR(hiding.cross(0, 1), -2 * 0.1 * 0.1, 1e-14);
 }
 
 TEST(Telescope, RefusesBadInputAndVanishingTruths) {
-  EXPECT_THROW(telescope({}), std::invalid_argument);
-  EXPECT_THROW(telescope({MatrixXd::Ones(2, 2)}), std::invalid_argument);
-  EXPECT_THROW(telescope({MatrixXd::Ones(2, 2), MatrixXd::Ones(2, 3)}), std::invalid_argument);
-  const Telescope of_nothing = telescope({MatrixXd::Ones(2, 2), MatrixXd::Zero(2, 2)});
+  EXPECT_THROW(of({}), std::invalid_argument);
+  EXPECT_THROW(of({MatrixXd::Ones(2, 2)}), std::invalid_argument);
+  EXPECT_THROW(of({MatrixXd::Ones(2, 2), MatrixXd::Ones(2, 3)}), std::invalid_argument);
+  const Telescope of_nothing = of({MatrixXd::Ones(2, 2), MatrixXd::Zero(2, 2)});
   EXPECT_TRUE(std::isnan(of_nothing.total));
-  EXPECT_TRUE(std::isnan(telescope({MatrixXd::Constant(2, 2, NAN), MatrixXd::Ones(2, 2)}).total));
+  EXPECT_TRUE(std::isnan(of({MatrixXd::Constant(2, 2, NAN), MatrixXd::Ones(2, 2)}).total));
 }
 
 // The norms are those of the metrics: a telescope of one part is displacement-error and strain-error.
@@ -53,9 +55,9 @@ TEST(Telescope, OfOnePartIsTheMetric) {
   const Index n = points.volume.points.cols();
   truth.bodies.push_back({1e-3 * MatrixXd::Random(3 * points.size(), 5), 1e-2 * MatrixXd::Random(6 * n, 5)});
   answer.bodies.push_back({1e-3 * MatrixXd::Random(3 * points.size(), 5), 1e-2 * MatrixXd::Random(6 * n, 5)});
-  const Telescope mass = telescope({in_mass_norm(answer, context), in_mass_norm(truth, context)});
+  const Telescope mass = of({in_mass_norm(answer, context), in_mass_norm(truth, context)});
   EXPECT_NEAR(mass.total, mark(metric("displacement-error"), answer, truth, context).value, 1e-10 * mass.total);
-  const Telescope energy = telescope({in_energy_norm(answer, context), in_energy_norm(truth, context)});
+  const Telescope energy = of({in_energy_norm(answer, context), in_energy_norm(truth, context)});
   EXPECT_NEAR(energy.total, mark(metric("strain-error"), answer, truth, context).value, 1e-10 * energy.total);
 }
 

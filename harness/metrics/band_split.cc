@@ -1,5 +1,6 @@
 #include "harness/metrics/band_split.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -10,10 +11,14 @@ namespace {
 
 constexpr double half_width = 0.2;  // b
 
-MatrixXcd padded(const MatrixXd& x) {
-  const Index n = x.cols();
+Index padded_length(Index n) {
   Index N = 1;
   while (N < 4 * n) N *= 2;
+  return N;
+}
+
+MatrixXcd padded(const MatrixXd& x) {
+  const Index n = x.cols(), N = padded_length(n);
   MatrixXcd whole = x.col(0).replicate(1, N).cast<std::complex<double>>();
   whole.leftCols(n) = x.cast<std::complex<double>>();
   for (Index j = 1; j < n; ++j) {
@@ -35,9 +40,14 @@ double low_pass(double f, double f_c) {
 PaddedSpectrum::PaddedSpectrum(const MatrixXd& x, double rate) : end_(static_cast<double>(x.cols() - 1) / rate) {
   if (x.cols() < 2 || !(rate > 0) || !std::isfinite(rate) || !x.allFinite())
     throw std::invalid_argument("a spectrum needs two finite samples at least and their rate");
-  const MatrixXcd X = fourier(padded(x));
-  const Index half = X.cols() / 2;
-  X_ = X.leftCols(half + 1) / static_cast<double>(2 * half);
+  const Index half = padded_length(x.cols()) / 2;
+  constexpr Index block = 16;  // signals at a time: padded, a record is some ten times as long
+  X_.resize(x.rows(), half + 1);
+  for (Index first = 0; first < x.rows(); first += block) {
+    const Index n = std::min(block, x.rows() - first);
+    X_.middleRows(first, n) =
+        fourier(padded(x.middleRows(first, n))).leftCols(half + 1) / static_cast<double>(2 * half);
+  }
   f_ = VectorXd::LinSpaced(half + 1, 0, rate / 2);
 }
 

@@ -1,6 +1,9 @@
 #include "harness/metrics/spectrum.h"
 
+#include <algorithm>
 #include <limits>
+
+#include "harness/metrics/fourier.h"
 
 namespace mb {
 
@@ -15,18 +18,18 @@ double energy_share_above(const MatrixXd& x, const VectorXd& w, double rate, dou
 
   const VectorXd sample = VectorXd::LinSpaced(n, 0, static_cast<double>(n - 1));
   const VectorXd window = (pi / static_cast<double>(n) * (sample.array() + 0.5)).sin().square();
-  const MatrixXd windowed = change * (window / largest).asDiagonal();
-  // E_k = a_k^T G a_k + b_k^T G b_k with a_k, b_k the samples of cosine and sine: the points are summed once, in G.
-  const MatrixXd gram = windowed.transpose() * w.asDiagonal() * windowed;
+  VectorXd energy = VectorXd::Zero(n + 1);
+  constexpr Index block = 16;  // signals at a time: their spectra together are twice as long as all records
+  for (Index first = 0; first < x.rows(); first += block) {
+    const Index n_rows = std::min(block, x.rows() - first);
+    const MatrixXd windowed = change.middleRows(first, n_rows) * (window / largest).asDiagonal();
+    energy += real_fourier(windowed, 2 * n).cwiseAbs2().transpose() * w.segment(first, n_rows);
+  }
   const VectorXd k = VectorXd::LinSpaced(n + 1, 0, static_cast<double>(n));  // frequency k rate / (2 n)
-  const MatrixXd phase = pi / static_cast<double>(n) * sample * k.transpose();
-  const MatrixXd a = phase.array().cos(), b = phase.array().sin();
-  VectorXd energy = ((gram * a).cwiseProduct(a) + (gram * b).cwiseProduct(b)).colwise().sum();
   const VectorXd y = pi / (2 * static_cast<double>(n)) * k.tail(n);
   energy.tail(n).array() *= (y.array() / y.array().sin()).square();
   energy(0) /= 2;  // signals are real: every other frequency but the last stands for its mirror image too
   energy(n) /= 2;
-  energy = energy.cwiseMax(0);  // rounding
   const auto is_above = (k.array() * (rate / (2 * static_cast<double>(n))) > f).cast<double>();
   return energy.dot(is_above.matrix()) / energy.sum();
 }

@@ -180,6 +180,14 @@ double of_answer(const Scene& scene) {
   return values * static_cast<double>(scene.bodies.size()) * static_cast<double>(sample_times(scene).size());
 }
 
+// What marks and tables are made of stands beside the answers: these in another frame, weighed, their spectra.
+constexpr double answers_of_marks = 4, answers_of_analyses = 12;  // [-] counted in answers: 3.5 and 11 were seen
+
+// The companion matrix of so many coupled modes, its Schur form, complex eigenvectors, these sorted and factorised.
+double of_coupled_modes(double n) { return 2 * 8 * 36 * std::pow(n, 2); }
+
+bool is_coupled(const Body& body) { return !body.dashpots.empty(); }
+
 double of_states(const Scene& scene, double n_unknowns) {
   return 4 * 8 * n_unknowns * static_cast<double>(sample_times(scene).size());
 }
@@ -195,6 +203,7 @@ double of_basis(const Scene& scene, const Contender& contender) {
     const double n = n_dofs(body.shape, of_body(contender.resolution, i), body.theory);
     const double modes = !full ? of_modes(n, r) : contender.integrator == "exact" ? of_all_modes(n) : 0;
     sum += modes + of_states(scene, full ? n : std::min(n, r));
+    if (is_coupled(body) && contender.integrator == "exact") sum += of_coupled_modes(full ? n : std::min(n, r));
   }
   return sum;
 }
@@ -226,10 +235,10 @@ double memory_of_modes(const Scene& scene, const Body& body, double n_modes) {
 }
 
 double memory(const Scene& scene, const Job& job) {
-  if (job.kind == Job::Kind::marks) return memory(scene, job.contender);
+  if (job.kind == Job::Kind::marks) return memory(scene, job.contender) + answers_of_marks * of_answer(scene);
   Contender widest{"eigenmodes", "exact", own_meshes(scene), {}};
   for (const int r : scene.study.modes) widest.settings.modes = std::max(widest.settings.modes, r);
-  return memory(scene, widest) + memory_of_answers(scene);
+  return memory(scene, widest) + answers_of_analyses * of_answer(scene);
 }
 
 }  // namespace mb

@@ -33,6 +33,8 @@ Estimate estimate(const Scene& scene, const Catalogue& catalogue);
 //   all modes   56 n^2 B                      a dense solver: of more than a third of all, or the closed form of `full`
 //   states      32 k B a sample               of k unknowns: u, v and theirs in modes
 //   answers     8 B (3 points + 6 strained points) samples of each body; and 256 MiB
+//   complex     576 k^2 B                     of k modes coupled by a dashpot, in closed form
+//   marks       4 answers, and 12 an analysis: frames, weights and spectra beside them
 //   two truths  the dearest mesh and the next, computed at a time, and 5 answers
 //
 // Meshes: within a third of what cylinders of 7,500 to 67,000 degrees of freedom took, p = 2 to 4. Modes: counted, as
