@@ -1,6 +1,7 @@
 // Draws the archived specifications as SVG beside them:  node svg.mjs FIGURES_DIRECTORY
-// Expressions are interpreted, as on the page; nothing is fetched. What cannot be drawn is named: then exit code 1.
-import { readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+// Expressions are interpreted, as on the page; nothing is fetched. What cannot be drawn is named: then exit code 1. A
+// drawing is there whole or not at all, and in the place of a link, not behind it.
+import { lstatSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parse, View } from 'vega';
 import { expressionInterpreter } from 'vega-interpreter';
@@ -19,9 +20,22 @@ const loader = {
 };
 const isCurrent = (source, drawing) => {
   try {
-    return statSync(drawing).mtimeMs >= statSync(source).mtimeMs;
+    const { mtimeMs } = statSync(source),
+      there = lstatSync(drawing);
+    return there.isFile() && there.mtimeMs >= mtimeMs && readFileSync(drawing, 'utf8').endsWith('</svg>');
   } catch {
     return false;
+  }
+};
+const write = (file, text) => {
+  const unfinished = `${file}.tmp`;
+  try {
+    rmSync(unfinished, { force: true });
+    writeFileSync(unfinished, text, { flag: 'wx', flush: true });
+    renameSync(unfinished, file);
+  } catch (error) {
+    rmSync(unfinished, { force: true });
+    throw error;
   }
 };
 
@@ -38,7 +52,7 @@ for (const name of readdirSync(directory).filter((one) => one.endsWith(ending)).
       renderer: 'none',
       loader,
     });
-    writeFileSync(drawing, await view.toSVG());
+    write(drawing, await view.toSVG());
     view.finalize();
     drawn += 1;
   } catch (error) {
