@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <system_error>
@@ -83,12 +84,16 @@ void remove_abandoned(const fs::path& directory) {
 
 constexpr std::size_t longest_list = 1 << 20;  // [bytes]
 
-// The list may have been edited: nothing outside the report's own folders and kinds of file is ever removed for it.
+// The list may have been edited: nothing outside the report's own folders and kinds of file is ever removed for it, and
+// beside them, where others keep theirs, nothing of another name.
 bool may_be_ours(const fs::path& path) {
-  static const std::set<std::string> folders = {"", "data", "tables", "figures"};
-  static const std::set<std::string> endings = {".md", ".html", ".csv", ".jsonl", ".txt", ".tex", ".json"};
-  return path.lexically_normal() == path && folders.contains(path.parent_path().string()) &&
-         endings.contains(path.extension().string());
+  static const std::set<std::string> pages = {"report.md", "report.html", "verification.md"};
+  static const std::map<std::string, std::set<std::string>> endings = {
+      {"data", {".csv", ".jsonl", ".txt"}}, {"tables", {".tex"}}, {"figures", {".json"}}};
+  if (path.lexically_normal() != path) return false;
+  const auto folder = endings.find(path.parent_path().string());
+  return pages.contains(path.string()) ||
+         (folder != endings.end() && folder->second.contains(path.extension().string()));
 }
 
 std::set<fs::path> files_of_report_in(const fs::path& directory) {

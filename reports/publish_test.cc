@@ -115,14 +115,17 @@ TEST_F(Publish, AListThatNamesOtherFilesRemovesNone) {
   std::ofstream(outside) << "kept";
   put("data/sub/mine.csv", "kept");
   put("mine.cc", "kept");
+  put("notes.md", "kept");
+  put("tables/mine.csv", "kept");
   put("other/mine.csv", "kept");
-  put("data/files.txt", "../" + fs::path(outside).filename().string() + "\n" + outside +
-                            "\ndata/../mine.cc\ndata/sub/mine.csv\nmine.cc\nother/mine.csv\ndata\n\n..\n");
+  put("data/files.txt",
+      "../" + fs::path(outside).filename().string() + "\n" + outside +
+          "\ndata/../mine.cc\ndata/sub/mine.csv\nmine.cc\nother/mine.csv\ndata\n\n..\nnotes.md\ntables/mine.csv\n");
   publish({{"report.md", "2"}}, directory_);
   EXPECT_TRUE(fs::exists(outside));
   fs::remove(outside);
-  EXPECT_THAT(files(),
-              ::testing::ElementsAre("data/files.txt", "data/sub/mine.csv", "mine.cc", "other/mine.csv", "report.md"));
+  EXPECT_THAT(files(), ::testing::ElementsAre("data/files.txt", "data/sub/mine.csv", "mine.cc", "notes.md",
+                                              "other/mine.csv", "report.md", "tables/mine.csv"));
 }
 
 int n_signals = 0;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t max_line = 64 * 1024;                   // [bytes]
 constexpr std::uintmax_t max_file = std::uintmax_t{1} << 30;  // [bytes]
+constexpr std::size_t max_refused = 1000;                     // lines of a file: then it is of something else
 
 enum class Line { whole, too_long, none };
 
@@ -34,6 +35,10 @@ RecordLines records_from(std::streambuf& from, const std::filesystem::path& file
   int number = 0;
   for (Line read = next_line(from, line); read != Line::none; read = next_line(from, line)) {
     ++number;
+    if (result.refused.size() == max_refused) {
+      result.refused.push_back({file, number, "and what follows is not read: 1000 lines before are no records"});
+      break;
+    }
     try {
       if (read == Line::too_long) throw std::runtime_error("line is longer than 64 KiB");
       if (line.find_first_not_of(" \t\r") == std::string::npos) continue;

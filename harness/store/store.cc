@@ -24,7 +24,14 @@ std::string lines_of(const std::vector<Record>& records) {
   return lines;
 }
 
-constexpr std::uintmax_t largest = 1 << 28;  // [bytes] of the records or findings of one run
+constexpr std::uintmax_t largest = 1 << 24;  // [bytes] of the records or findings of one run; some 10^5 are usual
+
+// Never more than is read again.
+void write_checked(const std::filesystem::path& file, const std::string& text,
+                   const std::function<void()>& before_rename = {}) {
+  if (text.size() > largest) throw StoreError(file, fmt::format("would be larger than {} bytes", largest));
+  write_file(file, text, before_rename);
+}
 
 // The files of runs in the folder, sorted; temporary files of a run that was interrupted have other endings.
 std::vector<std::filesystem::path> files_of_runs(const std::filesystem::path& folder, const char* ending) {
@@ -125,8 +132,8 @@ void Store::write_records(const std::string& hash, const std::vector<Record>& re
     throw std::invalid_argument("store: a record of another run");
   }
   // Other marks: the old times are not theirs, and never stand beside them, whenever this is ended.
-  write_file(file("records", hash, ".jsonl"), sealed(lines_of(records)),
-             [&] { remove_file(file("timings", hash, ".jsonl")); });
+  write_checked(file("records", hash, ".jsonl"), sealed(lines_of(records)),
+                [&] { remove_file(file("timings", hash, ".jsonl")); });
 }
 
 bool Store::has_times(const std::string& hash) const {
@@ -137,7 +144,7 @@ void Store::write_times(const std::string& hash, const std::vector<Record>& time
   if (!std::ranges::all_of(times, [&](const Record& record) { return record.run == hash; })) {
     throw std::invalid_argument("store: a time of another run");
   }
-  write_file(file("timings", hash, ".jsonl"), sealed(lines_of(times)));
+  write_checked(file("timings", hash, ".jsonl"), sealed(lines_of(times)));
 }
 RecordLines Store::read_records_of(const std::string& hash) const {
   return records_of(file("records", hash, ".jsonl"));
@@ -154,7 +161,7 @@ void Store::write_findings(const std::string& hash, const std::vector<Finding>& 
     if (finding.run != hash) throw std::invalid_argument("store: a finding of another analysis");
     list.push_back(to_json(finding));
   }
-  write_file(file("findings", hash, ".json"), sealed(to_line(list) + "\n"));
+  write_checked(file("findings", hash, ".json"), sealed(to_line(list) + "\n"));
 }
 
 Store::Findings Store::read_findings_of(const std::string& hash) const {

@@ -104,6 +104,29 @@ TEST(Store, DamagedRecordsAreNamedAndLeftOut) {
   EXPECT_EQ(store.rebuild_results().size(), 2u);
 }
 
+// Nobody wants a million lines on one file, nor their memory.
+TEST(Store, AFileOfNothingButDamagedLinesIsNotReadToItsEnd) {
+  const ScratchFolder folder;
+  const Store store(folder.path());
+  std::string lines;
+  for (int i = 0; i < 100000; ++i) lines += "no record\n";
+  write_file(folder / "records" / (low + ".jsonl"), sealed(lines));
+  const RecordLines read = store.read_all_records();
+  ASSERT_EQ(read.refused.size(), 1001u);
+  EXPECT_EQ(read.refused.back().line, 1001);
+  EXPECT_THAT(read.refused.back().reason, HasSubstr("what follows is not read"));
+}
+
+TEST(Store, WhatIsTooLargeToBeReadAgainIsNotWritten) {
+  const ScratchFolder folder;
+  const Store store(folder.path());
+  std::vector<Record> many(20000, record(low, 1));
+  for (Record& one : many) one.subject = std::string(900, 'x');
+  EXPECT_THAT([&] { store.write_records(low, many); },
+              ::testing::ThrowsMessage<StoreError>(HasSubstr("would be larger than 16777216 bytes")));
+  EXPECT_FALSE(store.has_records(low));
+}
+
 TEST(Store, OneLineTellsOfAFileThatIsNotItsOwn) {
   const ScratchFolder folder;
   const Store store(folder.path());
