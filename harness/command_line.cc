@@ -14,6 +14,7 @@
 #include "harness/commands/bytes.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
+#include "harness/instruction_counter.h"
 #include "harness/main.h"
 #include "harness/store/store.h"
 #include "harness/study/memory.h"
@@ -70,6 +71,18 @@ int run_until_interrupted(const RunCommandOptions& options, const Catalogue& cat
   return run_command(options, catalogue, console);
 }
 
+// The child that counts ends by the signal itself, and this one with what it has made.
+int count_until_interrupted(const CountOptions& options, const Catalogue& catalogue, const Console& console) {
+  if (is_counting()) return count_command(options, catalogue, console);
+  const Interruptible while_it_counts;
+  try {
+    return count_command(options, catalogue, console);
+  } catch (const std::runtime_error&) {
+    if (!interrupt_requested) throw;
+    return 130;
+  }
+}
+
 using Action = std::function<int(const Console&)>;
 
 void add_list(CLI::App& app, const Catalogue& catalogue, Action& action) {
@@ -117,8 +130,9 @@ void add_count(CLI::App& app, const Catalogue& catalogue, Action& action) {
   CLI::App* command = app.add_subcommand("count", "instructions that a case with contact takes, by valgrind");
   command->add_option("case", options->case_name, "case name or file")->required();
   add_profile(*command, options->profile);
-  command->callback(
-      [&, options] { action = [&, options](const Console& c) { return count_command(*options, catalogue, c); }; });
+  command->callback([&, options] {
+    action = [&, options](const Console& c) { return count_until_interrupted(*options, catalogue, c); };
+  });
 }
 
 void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {

@@ -10,7 +10,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
+
+#include "harness/study/processes.h"
+#include "reports/held_signals.h"
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
@@ -52,6 +56,13 @@ constexpr int no_valgrind = 125;  // itself it says 127 of a program that is not
 
 // Of a child: nothing is allocated there, as another thread may have held the allocator's lock. Never returns.
 [[noreturn]] void become(char* const* argv) {
+  sigset_t ends;
+  sigemptyset(&ends);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup has it
+    sigaddset(&ends, signal);
+  }
+  ::sigprocmask(SIG_UNBLOCK, &ends, nullptr);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it ends with its parent, however that ends
   const int nowhere = ::open("/dev/null", O_RDWR);
   for (const int stream : {0, 1, 2}) ::dup2(nowhere, stream);
@@ -110,9 +121,12 @@ InstructionCounts count_instructions(const fs::path& program, const std::vector<
   std::vector<char*> argv;
   for (std::string& word : line) argv.push_back(word.data());
   argv.push_back(nullptr);
+  auto held = std::make_optional<HeldSignals>();
   const pid_t child = ::fork();
   if (child < 0) return {{}, "no process can be made"};
   if (child == 0) become(argv.data());
+  const Reached passed_on(child);
+  held.reset();
   const int code = ended(child, at_most);
   require_not_ended_from_outside(code);
   InstructionCounts counts{read_dumps(scratch.path()), code == 0 ? "" : reason(code, at_most)};

@@ -51,6 +51,31 @@ TEST(SignalCases, WhatEndsTheFirstProcessEndsAllCleanly) {
     }
 }
 
+// A program named valgrind that says that it runs and never ends: `count` and an analysis of `run` pass on what ends
+// them.
+TEST(SignalCases, WhatEndsACountEndsValgrindAndLeavesNothing) {
+  for (const std::string command : {"count", "run"}) {
+    const ScratchFolder scratch;
+    for (const char* folder : {"tmp", "bin", "cases"}) fs::create_directory(scratch / folder);
+    written(scratch / "bin/valgrind", fmt::format("#!/bin/sh\n: >{0}\nexec sleep 1000\n", (scratch / "runs").string()));
+    fs::permissions(scratch / "bin/valgrind", fs::perms::owner_all);
+    written(scratch / "cases/small.toml", bouncing_case("contact_steps = [1e-3]\nanalyses = [\"instructions\"]"));
+    Process process(scratch.path(), {command, "small"}, [&] {
+      ::setenv("TMPDIR", (scratch / "tmp").c_str(), 1);
+      ::setenv("PATH", fmt::format("{}:/usr/bin:/bin", (scratch / "bin").string()).c_str(), 1);
+    });
+    while (!process.ends_within(0.01) && !fs::exists(scratch / "runs")) continue;
+    const std::vector<pid_t> children = process.children();
+    ASSERT_EQ(children.size(), 1u) << process.err();
+    process.send(SIGTERM);
+    EXPECT_TRUE(process.ends_within(20)) << command;
+    EXPECT_EQ(process.code(), 130) << process.err();
+    EXPECT_FALSE(is_running(children.front()));
+    EXPECT_TRUE(fs::is_empty(scratch / "tmp"));
+    if (command == "run") expect_sound(scratch / "results");
+  }
+}
+
 // As nohup and a shell's `&` begin it.
 TEST(SignalCases, WhatIsIgnoredFromTheStartStaysIgnored) {
   const ScratchFolder scratch;

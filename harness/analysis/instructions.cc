@@ -5,12 +5,14 @@
 
 #include <cmath>
 
+#include "cases/scene/read_toml.h"
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/instruction_contest.h"
 #include "harness/analysis/modal_body.h"
 #include "harness/commands/find_cases.h"
 #include "harness/instruction_counter.h"
 #include "harness/measure.h"
+#include "harness/study/identity.h"
 
 namespace mb {
 
@@ -49,20 +51,25 @@ std::string verdict(double mips) {
   return fmt::format("does not hold: {:.3g} million instructions a simulated second, not about 1", mips);
 }
 
-InstructionCounts counts_of(const Scene& scene) try {
+// What is counted is read from a file, by another process.
+InstructionCounts counts_of(const Scene& scene, const Vocabulary& vocabulary) try {
   const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "modalbench";
   if (!std::filesystem::exists(program)) return {{}, "no program modalbench stands beside this one"};
   const auto file = std::filesystem::absolute(find_case(scene.name));
+  if (analysis_hash(read_toml(file, vocabulary, scene.profile), "instructions") != analysis_hash(scene, "instructions"))
+    return {{}, "the case that is found by its name is another one, or --set changed it"};
   return count_instructions(program, {"count", file.string(), "--profile", scene.profile}, at_most);
 } catch (const UsageError&) {
   return {{}, "the case is not found by its name"};
+} catch (const CaseErrors&) {
+  return {{}, "the case that is found by its name is another one, with errors"};
 }
 
 }  // namespace
 
 std::vector<Finding> instructions(const AnalysisContext& context) {
   const Scene& scene = *context.scene;
-  const InstructionCounts counts = counts_of(scene);
+  const InstructionCounts counts = counts_of(scene, context.catalogue.vocabulary());
   Finding found = instruction_table(counts.missing);
   const Model& model = context.model(own_meshes(scene));
   for (const CountedContender& contender : counted_contenders(scene)) {

@@ -23,6 +23,7 @@ namespace {
 
 // Those that run, for signal handlers; 0: none. Written by the thread that forks and waits alone.
 std::array<std::atomic<pid_t>, most_processes> running{};
+std::atomic<pid_t> beside{0};  // another program, in one of them or in the first
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
 // Its number is free for others once it has been waited for: nobody may signal it by then.
@@ -55,6 +56,7 @@ pid_t forked(int slot) {
   if (process > 0) running[static_cast<std::size_t>(slot)] = process;
   if (process != 0) return process;
   for (auto& other : running) other = 0;  // those are the parent's
+  beside = 0;
   // A parent that has ended before this call would never be missed.
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent) _exit(3);
   return 0;
@@ -80,10 +82,14 @@ int in_processes(int n, const std::function<int(int)>& work) {
   return code;
 }
 
+Reached::Reached(pid_t process) { beside = process; }
+Reached::~Reached() { beside = 0; }
+
 void signal_processes(int signal) {
   const int before = errno;
   for (const auto& process : running)
     if (const pid_t one = process; one > 0) kill(one, signal);
+  if (const pid_t one = beside; one > 0) kill(one, signal);
   errno = before;
 }
 

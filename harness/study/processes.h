@@ -2,6 +2,8 @@
 // others.
 #pragma once
 
+#include <sys/types.h>
+
 #include <functional>
 
 namespace mb {
@@ -13,6 +15,16 @@ inline constexpr int most_processes = 256;
 // may run meanwhile. None outlives its parent, however that ends: the kernel kills it (PR_SET_PDEATHSIG). SIGINT,
 // SIGTERM and SIGHUP wait while one is made, so that none misses a signal passed on.
 int in_processes(int n, const std::function<int(int)>& work);
+
+// While it is there signals passed on reach this child, too, one at most: another program that ends by them. Made
+// before signals that were held while it was forked come again, it misses none.
+class Reached {
+ public:
+  explicit Reached(pid_t process);
+  ~Reached();
+  Reached(const Reached&) = delete;
+  Reached& operator=(const Reached&) = delete;
+};
 
 // Passes a signal on to all that run now. May be called by a signal handler.
 void signal_processes(int signal);
