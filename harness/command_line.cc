@@ -101,7 +101,14 @@ void add_profile(CLI::App& command, std::string& profile) {
 }
 
 // An unset variable of a shell is no folder: files would lie about in the current one.
-const CLI::Validator named([](const std::string& folder) { return folder.empty() ? "names no folder" : ""; }, "FOLDER");
+// Nor is one whose name would move a terminal's cursor wherever it is told.
+const CLI::Validator named(
+    [](const std::string& folder) -> std::string {
+      if (folder.empty()) return "names no folder";
+      return unprintable(folder) ? "names a folder with characters that cannot be shown: " + printable(folder, 200)
+                                 : "";
+    },
+    "FOLDER");
 
 void add_check(CLI::App& app, const Catalogue& catalogue, Action& action) {
   auto options = std::make_shared<CheckOptions>();
@@ -175,7 +182,7 @@ void add_report(CLI::App& app, const Catalogue& catalogue, Action& action) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command = app.add_subcommand("report", "write the report of what is stored");
   command->add_option("case", options->cases, "case names or files (default: those of the store, by name)");
-  command->add_option("-o,--output", options->directory, "folder of the report")->capture_default_str();
+  command->add_option("-o,--output", options->directory, "folder of the report")->capture_default_str()->check(named);
   command->add_option("--store", options->store, "where results are kept")->capture_default_str()->check(named);
   command->add_flag("--open", options->open, "show the page, by xdg-open");
   command->add_flag("-q,--quiet", options->quiet, "nothing on stderr but what is wrong: not what is left out");

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "cases/scene/utf8.h"
 #include "reports/number.h"
 #include "reports/render.h"
 
@@ -9,6 +10,19 @@ namespace {
 // What a terminal or spreadsheet would obey. Line ends and tabs are cells' own business.
 bool is_control(char c) {
   return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\r' && c != '\t') || c == 0x7f;
+}
+
+// Behind blanks of any width, one of those that a spreadsheet takes for the begin of a formula, wide forms included.
+bool begins_formula(std::string_view field) {
+  static constexpr std::u32string_view blanks = U" \u00a0\u1680\u202f\u205f\u3000";
+  static constexpr std::u32string_view begins = U"=+-@\t\r\n\uff1d\uff0b\uff0d\uff20";
+  for (std::size_t at = 0; at < field.size();) {
+    const CodePoint c = decode(field, at);
+    const bool blank = blanks.find(c.value) != blanks.npos || (c.value >= 0x2000 && c.value <= 0x200a);
+    if (!c.valid || !blank) return c.valid && begins.find(c.value) != begins.npos;
+    at += c.bytes;
+  }
+  return false;
 }
 
 bool has_bar(const Column& column) { return column.kind == Column::Kind::error || column.kind == Column::Kind::time; }
@@ -32,11 +46,8 @@ std::string number_or_text(const Column& column, const Cell& cell) {
 std::string csv_text(std::string_view text) {
   std::string field(text);
   std::ranges::replace_if(field, is_control, ' ');
-  const auto first = std::min(field.find_first_not_of(' '), field.size());
-  const bool is_formula =
-      first < field.size() && std::string_view("=+-@\t\r\n").find(field[first]) != std::string_view::npos;
-  if (is_formula) field.insert(field.begin(), '\'');
-  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
+  if (begins_formula(field)) field.insert(field.begin(), '\'');
+  if (field.find_first_of(",;\t\"\r\n") == std::string::npos) return field;
   std::string quoted = "\"";
   for (const char c : field) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";

@@ -33,7 +33,8 @@ std::string escaped(char c) {
       return std::string("\\") + c;
     case '[':
     case ']':
-      return std::string("{") + c + "}";  // after \\ a bracket would be an optional argument
+    case '*':
+      return std::string("{") + c + "}";  // after \\ a bracket would be an optional argument, a star its own form
     default:
       return static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? " " : std::string(1, c);
   }

@@ -1,15 +1,19 @@
 #include "reports/render.h"
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_word(char c) { return is_letter(c) || (c >= '0' && c <= '9'); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_word(char c) { return is_letter(c) || is_digit(c); }
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 bool is_numeric(const Column& column) { return column.kind != Column::Kind::text; }
 
 // Characters with a meaning inside a line, where they have it: `<` and `&` that could begin a tag or an entity, `]`
-// that could end the text of a link, `_` outside a word. So "<= 1e-3", "[m/s]" and "not_finite" stay as they are.
+// that could end the text of a link, `_` outside a word, and at its begin what makes a heading, list or rule. So "<=
+// 1e-3", "[m/s]" and "not_finite" stay as they are.
 bool needs_escape(std::string_view text, std::size_t i) {
   const char c = text[i];
   const char next = i + 1 < text.size() ? text[i + 1] : ' ';
@@ -18,6 +22,8 @@ bool needs_escape(std::string_view text, std::size_t i) {
   if (c == ']') return next == '(' || next == '[' || next == ':';
   if (c == '_') return i == 0 || !is_word(text[i - 1]) || !is_word(next);
   if (c == '#' || c == '>') return i == 0;
+  if (c == '-' || c == '+' || c == '=') return i == 0 && text.size() > 1 && (next == ' ' || next == c);
+  if (c == '.' || c == ')') return i > 0 && next == ' ' && std::ranges::all_of(text.substr(0, i), is_digit);
   return std::string_view("\\`*|~$").find(c) != std::string_view::npos;
 }
 

@@ -66,6 +66,11 @@ TEST(Markdown, TextStaysText) {
   EXPECT_EQ(markdown_text("line\nbreak"), "line break");
   EXPECT_EQ(markdown_text("<= 1e-3 [m/s] not_finite"), "<= 1e-3 [m/s] not_finite");
   EXPECT_EQ(markdown_text("_a_ [x]: y"), "\\_a\\_ [x\\]: y");
+  EXPECT_EQ(markdown_text("- x"), "\\- x");
+  EXPECT_EQ(markdown_text("12. x"), "12\\. x");
+  EXPECT_EQ(markdown_text("---"), "\\---");
+  EXPECT_EQ(markdown_text("-"), "-");
+  EXPECT_EQ(markdown_text("-1.5 - 2. x"), "-1.5 - 2. x");
 }
 
 TEST(Markdown, EveryRowHasTheColumnsOfTheHeader) {
@@ -82,9 +87,13 @@ TEST(Csv, FormulasAreDefusedAndQuotesDoubled) {
   EXPECT_EQ(csv_text(std::string("a\x1b]0;t\x07"
                                  "b\0c\x7f",
                                  11)),
-            "a ]0;t b c ");
+            "\"a ]0;t b c \"");
   EXPECT_EQ(csv_text("\x1b=cmd"), "' =cmd");
   EXPECT_EQ(csv_text("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_text("a;=b"), "\"a;=b\"") << "elsewhere a semicolon parts fields";
+  for (const std::string start : {"\uff1d", "\u00a0=", "\u3000\uff0b", "\u2003@"})
+    EXPECT_EQ(csv_text(start + "cmd"), "'" + start + "cmd");
+  EXPECT_EQ(csv_text("\u00a0x=1"), "\u00a0x=1");
   EXPECT_EQ(csv_text("say \"x\""), "\"say \"\"x\"\"\"");
   EXPECT_EQ(csv_text("two\nlines"), "\"two\nlines\"");
 }
@@ -104,6 +113,7 @@ TEST(Latex, SpecialsAreEscaped) {
   EXPECT_EQ(latex_text("a_b & 50% $x$ #1 {y} \\input ~ ^"),
             "a\\_b \\& 50\\% \\$x\\$ \\#1 \\{y\\} \\textbackslash{}input \\textasciitilde{} \\textasciicircum{}");
   EXPECT_EQ(latex_text("<= 1 [x]"), "$\\le$ 1 {[}x{]}");
+  EXPECT_EQ(latex_text("*"), "{*}");
   EXPECT_THAT(latex(table_of("\\end{longtable}\\input{/etc/passwd}")), Not(HasSubstr("\\input")));
 }
 

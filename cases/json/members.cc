@@ -50,11 +50,17 @@ const Json& Members::get(const std::string& key) {
 std::string Members::text(const std::string& key) { return mb::text(get(key), key); }
 
 std::string Members::name(const std::string& key) {
+  std::string value = name_or_none(key);
+  if (value.empty()) refuse(key, "is empty");
+  return value;
+}
+
+std::string Members::name_or_none(const std::string& key) {
   std::string value = text(key);
-  const bool good = value.size() <= 64 && std::ranges::all_of(value, [](char c) {
+  const bool good = value.size() <= 64 && !value.starts_with('-') && std::ranges::all_of(value, [](char c) {
                       return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
                     });
-  if (!good) refuse(key, "is not a name of at most 64 characters a-z, 0-9 and -");
+  if (!good) refuse(key, "is not a name of at most 64 characters a-z, 0-9 and -, the last not first");
   return value;
 }
 

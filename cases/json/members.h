@@ -15,10 +15,11 @@ class Members {
  public:
   Members(const Json& object, std::string name);
 
-  const Json* find(const std::string& key);  // nullptr where absent
-  const Json& get(const std::string& key);   // refused where absent
-  std::string text(const std::string& key);  // at most 4096 bytes, one line that prints (printable.h)
-  std::string name(const std::string& key);  // [a-z0-9-]{0,64}
+  const Json* find(const std::string& key);          // nullptr where absent
+  const Json& get(const std::string& key);           // refused where absent
+  std::string text(const std::string& key);          // at most 4096 bytes, one line that prints (printable.h)
+  std::string name(const std::string& key);          // [a-z0-9][a-z0-9-]{0,63}
+  std::string name_or_none(const std::string& key);  // or ""
   long integer(const std::string& key, long lowest, long highest);
   double number(const std::string& key);     // finite
   std::string hash(const std::string& key);  // content hash of 32 hex digits

@@ -177,13 +177,13 @@ Record record_from_json(const Json& json) {
   record.case_name = members.name("case");
   record.profile = members.one_of("profile", {"quick", "standard", "full"});
   record.contender = {.method = members.name("method"),
-                      .integrator = members.name("integrator"),
+                      .integrator = members.name_or_none("integrator"),
                       .resolution = resolution_from(members),
                       .settings = settings_from(members.get("settings"))};
   record.modes_used = static_cast<int>(members.integer("modes_used", -1, std::numeric_limits<int>::max()));
   record.n_unknowns = members.integer("n_unknowns", 0, max_count);
   record.metric = members.name("metric");
-  record.subject = members.name("subject");
+  record.subject = members.name_or_none("subject");
   record.truth = members.one_of("truth", {"finer", "same_mesh", "exact", ""});
   record.status = members.text("status");
   record.value = value_from(members, record.status);

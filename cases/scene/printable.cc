@@ -8,9 +8,19 @@ namespace mb {
 
 namespace {
 
+struct Span {
+  char32_t first, last;
+};
+// Controls; soft hyphen, marks of direction, joiners; fillers of Hangul and vowels of Khmer that show nothing, a blank
+// of Braille; selectors of variants; marks of annotations; tags.
+constexpr Span deceptive[] = {{0x0, 0x1f},      {0x7f, 0x9f},       {0xad, 0xad},       {0x34f, 0x34f},
+                              {0x61c, 0x61c},   {0x115f, 0x1160},   {0x17b4, 0x17b5},   {0x180b, 0x180f},
+                              {0x200b, 0x200f}, {0x2028, 0x202e},   {0x2060, 0x206f},   {0x2800, 0x2800},
+                              {0x3164, 0x3164}, {0xfe00, 0xfe0f},   {0xfeff, 0xfeff},   {0xffa0, 0xffa0},
+                              {0xfff9, 0xfffb}, {0x1d173, 0x1d17a}, {0xe0000, 0x10ffff}};
+
 bool is_deceptive(char32_t c) {
-  return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xad || c == 0x61c || (c >= 0x200b && c <= 0x200f) ||
-         (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x206f) || c == 0xfeff || c >= 0xe0000;
+  return std::ranges::any_of(deceptive, [c](const Span& span) { return c >= span.first && c <= span.last; });
 }
 
 }  // namespace

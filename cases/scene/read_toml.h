@@ -1,7 +1,7 @@
 // Case files: TOML in, Scene out, or every problem at once.
 //
 // Unknown keys are errors, and so are keys that are understood but cannot be simulated yet. Case files are untrusted:
-// names match [a-z0-9-]{1,64}, paths stay below the file's folder, expressions may not assign.
+// names match [a-z0-9][a-z0-9-]{0,63}, paths stay below the file's folder, expressions may not assign.
 #pragma once
 
 #include <filesystem>

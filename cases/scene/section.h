@@ -56,7 +56,7 @@ class Section {
   std::string text(const std::string& key, std::size_t longest, const std::string& fallback);
   std::optional<std::string> prose(const std::string& key, std::size_t longest);
   std::string prose(const std::string& key, std::size_t longest, const std::string& fallback);
-  std::optional<std::string> name(const std::string& key);  // [a-z0-9-]{1,64}
+  std::optional<std::string> name(const std::string& key);  // [a-z0-9][a-z0-9-]{0,63}
   std::optional<std::string> choice(const std::string& key, const Words& words);
   std::optional<Vector3d> vector(const std::string& key, const Range& range);
   std::optional<Vector3d> vector_or_zero(const std::string& key, const Range& range);  // optional: zero where absent

@@ -12,7 +12,7 @@ namespace mb {
 namespace {
 
 bool is_name(const std::string& text) {
-  if (text.empty() || text.size() > 64) return false;
+  if (text.empty() || text.size() > 64 || text.front() == '-') return false;  // no option of any command
   return text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
 }
 
@@ -183,8 +183,10 @@ std::optional<std::string> Section::name(const std::string& key) {
     return std::nullopt;
   }
   if (is_name(*text)) return *text;
-  findings_->error(item->value->where, fmt::format("{} is '{}': a name has 1 to 64 of the characters a-z 0-9 -",
-                                                   item->label, printable(*text)));
+  findings_->error(item->value->where,
+                   fmt::format("{} is '{}': a name has 1 to 64 of the characters a-z 0-9 -, and begins "
+                               "with no -",
+                               item->label, printable(*text)));
   return std::nullopt;
 }
 

@@ -25,7 +25,7 @@ VectorXd asked(const Body& body, const VectorXd& omega) {
     const auto lambda = [&](Index k) { return omega(k) * omega(k); };
     if (i < n)
       zeta(i) = body.damping_ratios[static_cast<size_t>(i)];
-    else if (n > 0 && lambda(i) - lambda(n - 1) <= multiplet_gap * lambda(i))
+    else if (n > 0 && are_one_multiplet(lambda(n - 1), lambda(i)))
       zeta(i) = body.damping_ratios.back();
   }
   return zeta;

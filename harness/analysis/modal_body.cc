@@ -14,7 +14,7 @@ namespace mb {
 Modes leading(const Modes& modes, int n_elastic) {
   Index n = std::min(modes.size(), modes.n_rigid + n_elastic);
   const VectorXd lambda = modes.omega.array().square();
-  while (n > modes.n_rigid && n < modes.size() && lambda(n) - lambda(n - 1) <= multiplet_gap * lambda(n)) ++n;
+  while (n > modes.n_rigid && n < modes.size() && are_one_multiplet(lambda(n - 1), lambda(n), modes.lambda_max)) ++n;
   return {modes.n_rigid, modes.omega.head(n), modes.Phi.leftCols(n), modes.residual.head(n), modes.lambda_max};
 }
 

@@ -34,7 +34,7 @@ std::vector<Index> multiplicities(const Modes& modes) {
   const auto lambda = [&](Index i) { return modes.omega[i] * modes.omega[i]; };
   std::vector<Index> all;
   for (Index first = 0, next = 0; first < modes.size(); first = next) {
-    for (++next; next < modes.size() && lambda(next) - lambda(next - 1) <= multiplet_gap * lambda(next);) ++next;
+    for (++next; next < modes.size() && are_one_multiplet(lambda(next - 1), lambda(next), modes.lambda_max);) ++next;
     all.insert(all.end(), static_cast<size_t>(next - first), next - first);
   }
   return all;

@@ -28,7 +28,7 @@ std::optional<ElasticModes> diagonal_modes(const System& system, Index n_elastic
   std::ranges::stable_sort(elastic, {}, [&](Index i) { return lambda[i]; });
   const auto at = [&](Index i) { return lambda[elastic[static_cast<size_t>(i)]]; };
   Index n = n_elastic;
-  while (n > 0 && n < n_all && at(n) - at(n - 1) <= multiplet_gap * at(n)) ++n;
+  while (n > 0 && n < n_all && are_one_multiplet(at(n - 1), at(n), lambda.maxCoeff())) ++n;
   n = std::min<Index>(n + 1, n_all);
   ElasticModes modes{VectorXd(n), MatrixXd::Zero(k.size(), n)};
   for (Index j = 0; j < n; ++j) {

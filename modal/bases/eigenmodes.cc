@@ -57,7 +57,7 @@ void orient(Eigen::Ref<MatrixXd> Phi) {
 // What of the modes found is to be kept, after the gate has seen all of them.
 Modes gated(const System& system, const ElasticModes& elastic, int n_elastic, double lambda_max) {
   const Index m = system.R.cols(), n_all = system.K.rows() - m;
-  const std::optional<Index> keep = whole_multiplets(elastic.lambda, n_elastic, n_all);
+  const std::optional<Index> keep = whole_multiplets(elastic.lambda, n_elastic, n_all, lambda_max);
   if (!keep) throw GateFailure(fmt::format("modes: multiplets beyond mode {} were not found whole", m + n_elastic));
   Modes found = with_rigid(system, elastic);
   found.lambda_max = lambda_max;

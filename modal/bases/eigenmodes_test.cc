@@ -12,6 +12,7 @@
 #include "mechanics/algebra/box_test_system.h"
 #include "mechanics/algebra/noise.h"
 #include "mechanics/verified_test.h"
+#include "modal/bases/shift_invert.h"
 
 namespace mb {
 namespace {
@@ -176,6 +177,16 @@ TEST(LowestModes, KeepMultipletsWhole) {
   const System cube = box_system({.cells = {5, 5, 5}}).system;  // elastic: 2, 3, 3, 3 ...
   for (const auto& [asked, kept] : {std::pair{1, 2}, {2, 2}, {3, 5}, {4, 5}, {5, 5}, {6, 8}})
     EXPECT_EQ(lowest_modes(cube, asked, -0.01).size(), 6 + kept) << asked;
+}
+
+// A pair of a slender bar: rounding of a spectrum eleven decades wide splits it by more than any fixed gap.
+TEST(LowestModes, KeepWholeWhatRoundingSplits) {
+  const VectorXd lambda{{100, 100.003, 400}};
+  EXPECT_EQ(whole_multiplets(lambda, 1, 3), 1) << "3e-5 apart, and all that is known to be";
+  EXPECT_EQ(whole_multiplets(lambda, 1, 3, 1e13), 1) << "eps lambda_max = 2e-3";
+  EXPECT_EQ(whole_multiplets(lambda, 1, 3, 1e14), 2) << "eps lambda_max = 2e-2";
+  EXPECT_EQ(whole_multiplets(lambda, 2, 3, 1e14), 2);
+  EXPECT_EQ(whole_multiplets(lambda.head(2), 1, 3, 1e14), std::nullopt) << "a third may follow";
 }
 
 TEST(LowestModes, OfNoElasticModeAreTheRigidOnes) {

@@ -68,7 +68,7 @@ void check_orthonormality(const System& system, const Modes& found) {
 }
 
 bool inside_multiplet(const Modes& found, Index i) {  // of the cut below mode i (from 0)
-  return lambda_of(found, i) - lambda_of(found, i - 1) <= multiplet_gap * lambda_of(found, i);
+  return are_one_multiplet(lambda_of(found, i - 1), lambda_of(found, i), found.lambda_max);
 }
 
 // Sylvester's law of inertia: K - mu M has as many negative eigenvalues as there are modes below mu.

@@ -25,10 +25,10 @@ Index room(Index n_elastic, const Effort& effort) { return 3 * (n_elastic + effo
 
 }  // namespace
 
-std::optional<Index> whole_multiplets(const VectorXd& lambda, Index n_elastic, Index n_all) {
+std::optional<Index> whole_multiplets(const VectorXd& lambda, Index n_elastic, Index n_all, double lambda_max) {
   Index keep = n_elastic;
   if (keep > lambda.size()) return std::nullopt;
-  while (keep > 0 && keep < lambda.size() && lambda(keep) - lambda(keep - 1) <= multiplet_gap * lambda(keep)) ++keep;
+  while (keep > 0 && keep < lambda.size() && are_one_multiplet(lambda(keep - 1), lambda(keep), lambda_max)) ++keep;
   if (keep == lambda.size() && keep < n_all) return std::nullopt;
   return keep;
 }

@@ -19,9 +19,9 @@ struct Effort {
   unsigned seed;     // of the start
 };
 
-// n_elastic rounded up to whole multiplets; nothing where the last of lambda (ascending, n_all in all) may not be
-// whole.
-std::optional<Index> whole_multiplets(const VectorXd& lambda, Index n_elastic, Index n_all);
+// n_elastic rounded up to whole multiplets (modes.h); nothing where the last of lambda (ascending, n_all in all) may
+// not be whole. lambda_max 0: not known.
+std::optional<Index> whole_multiplets(const VectorXd& lambda, Index n_elastic, Index n_all, double lambda_max = 0);
 
 // At least n_elastic modes, whole multiplets, and n_spare beyond, or all there are. The system must have about twice as
 // many degrees of freedom.

@@ -24,12 +24,12 @@ double outside(const SparseMatrix& M, const MatrixXd& A, const MatrixXd& B) {
 
 }  // namespace
 
-std::vector<Cluster> clusters(const VectorXd& lambda, Index n_rigid, double gap) {
+std::vector<Cluster> clusters(const VectorXd& lambda, Index n_rigid, double gap, double least_gap) {
   if (!lambda.allFinite() || !std::is_sorted(lambda.begin(), lambda.end()))
     throw std::invalid_argument("clusters: eigenvalues out of order or not finite");
   std::vector<Cluster> all;
   for (Index i = n_rigid; i < lambda.size(); ++i) {
-    const bool apart = i == n_rigid || lambda[i] - lambda[i - 1] > gap * lambda[i];
+    const bool apart = i == n_rigid || lambda[i] - lambda[i - 1] > std::max(gap * lambda[i], least_gap);
     if (apart)
       all.push_back({i, 1});
     else

@@ -26,7 +26,7 @@ void require_one_ratio_a_multiplet(const Modes& found, const std::vector<double>
   for (size_t i = 1; i < ratios.size(); ++i) {
     const double omega = found.omega[found.n_rigid + static_cast<Index>(i)];
     const double below = found.omega[found.n_rigid + static_cast<Index>(i) - 1];
-    if (ratios[i] == ratios[i - 1] || omega * omega - below * below > multiplet_gap * omega * omega) continue;
+    if (ratios[i] == ratios[i - 1] || !are_one_multiplet(below * below, omega * omega, found.lambda_max)) continue;
     throw std::invalid_argument(
         fmt::format("damping ratios {} and {} of the elastic modes {} and {}, which have one frequency ({:.6g} Hz): "
                     "state one ratio for both",
