@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "reports/case_words.h"
+#include "reports/energy_warnings.h"
 #include "reports/linear_warnings.h"
 #include "reports/number.h"
 #include "reports/views.h"
@@ -119,8 +120,9 @@ std::vector<std::string> truth_sentences(const Evaluation& evaluation, const Sce
   }
   std::vector<std::string> sentences;
   for (const auto& [key, sentence] : said) sentences.push_back(sentence);
-  for (const std::string& warning : linear_warnings(evaluation.input.records, scene))
-    sentences.push_back("Warning: " + warning + ".");
+  for (const auto& of : {linear_warnings, energy_warnings})
+    for (const std::string& warning : of(evaluation.input.records, scene))
+      sentences.push_back("Warning: " + warning + ".");
   return sentences;
 }
 
