@@ -69,18 +69,44 @@ TEST(FailureCases, AnAnalysisThatThrowsTakesNoOtherWithIt) {
   EXPECT_EQ(second.code, 3);
   EXPECT_THAT(second.err,
               HasSubstr("0 runs done, 6 found in results, 1 failed; a failure that is stored stays until --again"));
+  EXPECT_THAT(second.err, HasSubstr("small · frequencies · failed in an earlier run"));
 }
 
-// Two microseconds without a value lie between all times at which a case's formula is looked at. The closed form, which
-// looks closer where a load bends, meets them.
-TEST(FailureCases, APoleThatNoSearchFoundFailsTheRunThatMeetsIt) {
+// Two microseconds without a value lie between all samples of a formula: bounds of it show them.
+TEST(FailureCases, AGapBetweenSamplesIsRefusedBeforeAnyRun) {
   const ScratchFolder scratch;
   written(scratch / "case.toml",
           small_case("0.5", R"({ kind = "expression", formula = 'sqrt(abs(t - 0.0123456) - 1e-6)' })"));
-  EXPECT_EQ(modalbench(scratch.path(), {"check", "case.toml"}).code, 0);
-  const Said said = modalbench(scratch.path(), {"run", "case.toml", "--untimed"});
-  EXPECT_EQ(said.code, 3);
-  EXPECT_THAT(said.err, HasSubstr("is not finite at t = 0.01234"));
+  for (const char* command : {"check", "run"}) {
+    const Said said = modalbench(scratch.path(), {command, "case.toml"});
+    EXPECT_EQ(said.code, 2) << command;
+    EXPECT_THAT(said.err, HasSubstr("is not finite at t = 0.01234"));
+  }
+  EXPECT_FALSE(fs::exists(scratch / "results"));
+}
+
+// Loads that last 1e-5 s and 1e-10 s of 0.1 s: a truth that skips them, or whose tolerance is met by anything, would
+// grade what meets them as wrong, with a bar of almost nothing.
+TEST(FailureCases, TruthsDoNotSkipWhatIsShort) {
+  for (const char* history :
+       {R"({ kind = "expression", formula = '0.01*sin(10*pi*t)^2 + (t > 0.05031 ? (t < 0.05032 ? 100 : 0) : 0)' })",
+        R"({ kind = "pulse", duration = 1e-10, start = 0.05 })"}) {
+    const ScratchFolder scratch;
+    std::string words = small_case("0.5", history);
+    const std::string methods = "methods = [\"static-correction\"]";
+    words.replace(words.find(methods), methods.size(), "methods = [\"static-correction\", \"full\"]");
+    written(scratch / "case.toml", words);
+    ASSERT_EQ(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).code, 0) << history;
+    int n_marks = 0;
+    for (const Record& record : records_in(scratch)) {
+      if (record.contender.method != "full" || record.metric != "displacement-error" || record.truth != "same_mesh")
+        continue;
+      ++n_marks;
+      EXPECT_LE(record.value, record.error_bar.value()) << history << ": the closed form of the mesh itself";
+      EXPECT_LE(record.error_bar.value(), 0.01) << history;
+    }
+    EXPECT_EQ(n_marks, 1) << history;
+  }
 }
 
 TEST(FailureCases, ATruthThatFailsLeavesARecordUntilItSucceeds) {

@@ -93,6 +93,9 @@ class CaseRun {
       if (!done) todo.push_back(job);
       outcome_.n_stored += done;
       outcome_.n_failed += done && found.failed;
+      if (done && found.failed)
+        progress_(
+            fmt::format("{} · {} · failed in an earlier run; `--again` tries once more", scene_->name, job.label));
     }
     return todo;
   }
