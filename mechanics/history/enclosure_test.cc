@@ -10,6 +10,7 @@
 #include "mechanics/history/expression.h"
 #include "mechanics/history/history.h"
 #include "mechanics/history/peak.h"
+#include "mechanics/types.h"
 
 namespace mb {
 namespace {
@@ -45,7 +46,10 @@ const char* const formulas[] = {"t",
                                 "t <= 0.5 ? t < 0.25 ? 1 : 2 : sqrt(t - 0.5)",
                                 "sqrt(t - 0.5) < 1 ? 1 : 2",
                                 "+ t - - t * pi",
-                                "t + 4e-1211"};
+                                "t + 4e-1211",
+                                "atan2(1555555555555555555555555^55 - (2*t)^1111111, t)",
+                                "exp(1000*t) * (t < 0 ? 1 : 0)",
+                                "exp(1000*t) / exp(1001*t)"};
 
 double value_or_nan(const Formula& formula, double t) {
   try {

@@ -32,6 +32,7 @@ Interval outward(std::initializer_list<double> corners, bool defined, int n) {
 }
 
 bool both_defined(const Interval& x, const Interval& y) { return x.defined && y.defined; }
+bool may_be_infinite(const Interval& x) { return x.lo == -infinity || x.hi == infinity; }
 bool holds_zero(const Interval& x) { return x.lo <= 0 && x.hi >= 0; }
 bool is_integer(const Interval& y) { return y.lo == y.hi && y.lo == std::floor(y.lo) && std::abs(y.lo) < 1e9; }
 
@@ -60,21 +61,25 @@ Interval integer_power(const Interval& x, double n) {
 
 }  // namespace
 
+// Numbers too large for a double are infinite there: infinity less infinity, by infinity or times 0 is none.
 Interval operator+(const Interval& x, const Interval& y) {
   if (is_exact(x, y)) return whole(x.lo + y.lo, both_defined(x, y));
-  return outward(x.lo + y.lo, x.hi + y.hi, both_defined(x, y), 1);
+  const bool opposed = (x.hi == infinity && y.lo == -infinity) || (x.lo == -infinity && y.hi == infinity);
+  return opposed ? anything() : outward(x.lo + y.lo, x.hi + y.hi, both_defined(x, y), 1);
 }
 Interval operator-(const Interval& x, const Interval& y) {
   if (is_exact(x, y)) return whole(x.lo - y.lo, both_defined(x, y));
-  return outward(x.lo - y.hi, x.hi - y.lo, both_defined(x, y), 1);
+  const bool alike = (x.hi == infinity && y.hi == infinity) || (x.lo == -infinity && y.lo == -infinity);
+  return alike ? anything() : outward(x.lo - y.hi, x.hi - y.lo, both_defined(x, y), 1);
 }
 Interval operator-(const Interval& x) { return {-x.hi, -x.lo, x.defined}; }
 Interval operator*(const Interval& x, const Interval& y) {
   if (is_exact(x, y)) return whole(x.lo * y.lo, both_defined(x, y));
+  if ((may_be_infinite(x) && holds_zero(y)) || (holds_zero(x) && may_be_infinite(y))) return anything();
   return outward({x.lo * y.lo, x.lo * y.hi, x.hi * y.lo, x.hi * y.hi}, both_defined(x, y), 1);
 }
 Interval operator/(const Interval& x, const Interval& y) {
-  if (holds_zero(y)) return anything();
+  if (holds_zero(y) || (may_be_infinite(x) && may_be_infinite(y))) return anything();
   return outward({x.lo / y.lo, x.lo / y.hi, x.hi / y.lo, x.hi / y.hi}, both_defined(x, y), 1);
 }
 Interval hull(const Interval& x, const Interval& y) {

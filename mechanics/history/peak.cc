@@ -18,7 +18,7 @@ using Function = std::function<double(double)>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double close_enough = 1.01;                           // [-] a bound over what was found
 constexpr double no_size = std::numeric_limits<double>::min();  // below it numbers lose digits
-constexpr int most_intervals = 100'000;
+constexpr int most_intervals = 20'000;
 
 // Golden-section search for the largest |f| on [a, b]
 double local_peak(const Function& f, double a, double b) {
