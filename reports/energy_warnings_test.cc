@@ -17,7 +17,10 @@ Record gain(double value) {
   record.case_name = "one";
   record.profile = "quick";
   record.metric = "energy-gain";
-  record.contender = {.method = "eigenmodes", .integrator = "exact", .settings = {.modes = 8, .time_step = 1e-4}};
+  record.contender.method = "eigenmodes";
+  record.contender.integrator = "exact";
+  record.contender.settings.modes = 8;
+  record.contender.settings.time_step = 1e-4;
   record.value = value;
   record.status = "ok";
   return record;
