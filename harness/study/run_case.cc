@@ -63,6 +63,7 @@ class CaseRun {
     if (todo.empty() && untimed_front().empty() && unmarked_truths().empty()) return outcome_;
     store_.require_writable();
     for (const Job& job : todo) store_.require_room(job.hash);
+    for (const Record& one : unmarked_truths()) store_.require_room(one.run);
     const std::optional<TruthSet> truth = truths_or_record();
     if (!truth) return outcome_;
     const Grader grader(*scene_, *truth, free_bodies(), provenance(scene_->profile));
