@@ -3,9 +3,6 @@
 
 #include <fmt/ostream.h>
 
-#include <unistd.h>
-
-#include <array>
 #include <csignal>
 #include <iostream>
 #include <sstream>
@@ -15,6 +12,7 @@
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
 #include "harness/instruction_counter.h"
+#include "harness/interruptible.h"
 #include "harness/main.h"
 #include "harness/store/store.h"
 #include "harness/study/memory.h"
@@ -25,46 +23,6 @@
 namespace mb {
 
 namespace {
-
-volatile std::sig_atomic_t interrupt_requested = 0;  // what a signal handler may touch
-pid_t own_process = 0;
-
-// Ctrl-C reaches every process of a terminal, `kill` one: the first passes it on and tells. Those forked for a run may
-// thus meet it twice; they end with the first in any case (processes.h).
-void on_interrupt(int) {
-  if (getpid() != own_process) {
-    interrupt_requested = 1;
-    return;
-  }
-  if (interrupt_requested) std::_Exit(130);  // the second does not wait for the run at hand
-  interrupt_requested = 1;
-  signal_processes(SIGTERM);
-  static constexpr char text[] = "finishing what is under way; Ctrl-C again ends at once\n";
-  [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, text, sizeof text - 1);
-}
-
-// Ends a run in good order on Ctrl-C, on SIGTERM and where its terminal is closed. What was ignored before stays so: as
-// nohup has it of the last, and a shell's `&` of the first.
-class Interruptible {
- public:
-  Interruptible() {
-    interrupt_requested = 0;
-    own_process = getpid();
-    for (size_t i = 0; i < signals.size(); ++i) {
-      before_[i] = std::signal(signals[i], on_interrupt);
-      if (before_[i] == SIG_IGN) std::signal(signals[i], SIG_IGN);
-    }
-  }
-  ~Interruptible() {
-    for (size_t i = 0; i < signals.size(); ++i) std::signal(signals[i], before_[i]);
-  }
-  Interruptible(const Interruptible&) = delete;
-  Interruptible& operator=(const Interruptible&) = delete;
-
- private:
-  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
-  std::array<void (*)(int), 3> before_{};
-};
 
 int run_until_interrupted(const RunCommandOptions& options, const Catalogue& catalogue, const Console& console) {
   const Interruptible while_it_runs;
@@ -78,7 +36,7 @@ int count_until_interrupted(const CountOptions& options, const Catalogue& catalo
   try {
     return count_command(options, catalogue, console);
   } catch (const std::runtime_error&) {
-    if (!interrupt_requested) throw;
+    if (!interrupted()) throw;
     return 130;
   }
 }
@@ -172,7 +130,7 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
   command->add_flag("--resume")
       ->description("go on with what an interrupted run left: what happens anyway")
       ->excludes(again);
-  options->interrupted = [] { return interrupt_requested != 0; };
+  options->interrupted = interrupted;
   command->callback([&, options] {
     action = [&, options](const Console& c) { return run_until_interrupted(*options, catalogue, c); };
   });

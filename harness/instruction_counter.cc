@@ -70,14 +70,22 @@ constexpr int no_valgrind = 125;  // itself it says 127 of a program that is not
   ::_exit(no_valgrind);
 }
 
-// Exit code of a child, or 128 and its signal; it is ended after so many seconds.
-int ended(pid_t child, double at_most) {
+bool has_ended(pid_t child) {  // and is still to be waited for
+  siginfo_t info{};
+  return ::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == child;
+}
+
+// Exit code of a child, or 128 and its signal; it is ended after so many seconds. Its number is free for others once it
+// has been waited for: no signal is passed on to it by then.
+int ended(pid_t child, double at_most, std::optional<Reached>& passed_on) {
   constexpr double look = 0.05;  // [s]
-  int status = 0;
-  for (double waited = 0; ::waitpid(child, &status, WNOHANG) == 0; waited += look) {
+  for (double waited = 0; !has_ended(child); waited += look) {
     if (waited > at_most) ::kill(child, SIGKILL);
     ::usleep(static_cast<useconds_t>(1e6 * look));
   }
+  passed_on.reset();
+  int status = 0;
+  ::waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
@@ -125,9 +133,9 @@ InstructionCounts count_instructions(const fs::path& program, const std::vector<
   const pid_t child = ::fork();
   if (child < 0) return {{}, "no process can be made"};
   if (child == 0) become(argv.data());
-  const Reached passed_on(child);
+  std::optional<Reached> passed_on(std::in_place, child);
   held.reset();
-  const int code = ended(child, at_most);
+  const int code = ended(child, at_most, passed_on);
   require_not_ended_from_outside(code);
   InstructionCounts counts{read_dumps(scratch.path()), code == 0 ? "" : reason(code, at_most)};
   if (code == 0 && counts.by_name.empty()) counts.missing = "the program was built without valgrind's headers";

@@ -236,6 +236,12 @@ TEST(ProgramCases, UsageErrorsAreExitCodeTwo) {
   const Said nowhere = modalbench(scratch.path(), {"run", "small.toml", "--store", ""});
   EXPECT_EQ(nowhere.code, 2);
   EXPECT_THAT(nowhere.err, HasSubstr("names no folder"));
+  for (const char* option : {"--store", "-o"}) {
+    const Said moved = modalbench(scratch.path(), {"report", option, "a\x1b]0;b"});
+    EXPECT_EQ(moved.code, 2) << option;
+    EXPECT_THAT(moved.err, HasSubstr("cannot be shown: a?]0;b")) << option;
+    EXPECT_EQ(moved.err.find('\x1b'), std::string::npos) << option;
+  }
   const Said said = modalbench(scratch.path(), {"modes", "small.toml", "--body", "bdy"});
   EXPECT_EQ(said.code, 2);
   EXPECT_THAT(said.err, HasSubstr("did you mean 'body'"));
