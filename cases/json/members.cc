@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "cases/json/json.h"
+#include "cases/scene/name.h"
 #include "cases/scene/printable.h"
 
 namespace mb {
@@ -57,10 +58,8 @@ std::string Members::name(const std::string& key) {
 
 std::string Members::name_or_none(const std::string& key) {
   std::string value = text(key);
-  const bool good = value.size() <= 64 && !value.starts_with('-') && std::ranges::all_of(value, [](char c) {
-                      return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-                    });
-  if (!good) refuse(key, "is not a name of at most 64 characters a-z, 0-9 and -, the last not first");
+  if (!value.empty() && !is_name(value))
+    refuse(key, "is not a name of at most 64 characters a-z, 0-9 and -, the last not first");
   return value;
 }
 

@@ -136,6 +136,10 @@ TEST(RecordJson, WrongTypesAndRangesAreRefusedByName) {
   expect_refused("run", "../../etc/passwd");
   expect_refused("run", "0123456789ABCDEF0123456789ABCDEF");
   expect_refused("case", "Upper");
+  for (const char* key : {"case", "method", "metric"}) {
+    expect_refused(key, "");
+    expect_refused(key, "--again");
+  }
   expect_refused("case", std::string(65, 'a'));
   expect_refused("truth", "guess");
   expect_refused("degree", -1);

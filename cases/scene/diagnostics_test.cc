@@ -82,6 +82,9 @@ TEST(Printable, is_known_by_the_first_character_that_is_not) {
   EXPECT_EQ(unprintable("\xc2\x9b"), 0x9bu);
   EXPECT_EQ(unprintable("\xe2\x80\xae"), 0x202eu);
   EXPECT_EQ(unprintable("\xff"), 0xfffdu);
+  for (const char* invisible : {"\u115f", "\u180e", "\u2800", "\u3164", "\ufe0f", "\uffa0", "\ufff9"})
+    EXPECT_TRUE(unprintable(invisible)) << invisible;
+  EXPECT_FALSE(unprintable("\u1161\u2801\u3163\ufffc")) << "their neighbours";
   EXPECT_EQ(unprintable(std::string_view("\0", 1), true), 0u);
 }
 

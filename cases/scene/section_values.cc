@@ -4,17 +4,13 @@
 
 #include <utility>
 
+#include "cases/scene/name.h"
 #include "cases/scene/nearest.h"
 #include "cases/scene/section.h"
 
 namespace mb {
 
 namespace {
-
-bool is_name(const std::string& text) {
-  if (text.empty() || text.size() > 64 || text.front() == '-') return false;  // no option of any command
-  return text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
-}
 
 std::string array_of(const Count& count, const std::string& what) {
   return fmt::format("an array of {} {}", to_string(count), what);
@@ -184,8 +180,7 @@ std::optional<std::string> Section::name(const std::string& key) {
   }
   if (is_name(*text)) return *text;
   findings_->error(item->value->where,
-                   fmt::format("{} is '{}': a name has 1 to 64 of the characters a-z 0-9 -, and begins "
-                               "with no -",
+                   fmt::format("{} is '{}': a name has 1 to 64 of the characters a-z 0-9 -, and begins with no -",
                                item->label, printable(*text)));
   return std::nullopt;
 }
