@@ -15,9 +15,8 @@ namespace {
 
 using ark::Stop;
 constexpr double longest_step = 0.25;         // [-] of the duration
-constexpr double expression_resolved = 0.01;  // [-] of its peak
-
-constexpr double overrated = 100;  // [-] a scale over what the motion reaches: run again
+constexpr double expression_resolved = 0.01;  // [-] of its mean and its own size (history.h)
+constexpr double overrated = 100;             // [-] a scale over what the motion reaches: run again
 constexpr int most_runs = 8;
 
 // sqrt(x.A x / m), m the body's mass where it is free; a scale is all that is needed. Of a nearly rigid x rounding may
@@ -81,11 +80,16 @@ class Sundials final : public Stepper {
     for (int n = 1;; ++n) {
       States out = integrated(times, scales);
       work = out.work = work + out.work;
+      if (out.status != Status::ok) return out;
       const ark::Scales reached = sizes(out);
       const bool is_overrated =
           reached.displacement > 0 && reached.velocity > 0 &&
           (scales.displacement > overrated * reached.displacement || scales.velocity > overrated * reached.velocity);
-      if (out.status != Status::ok || !is_overrated || n == most_runs) return out;
+      if (!is_overrated) return out;
+      if (n == most_runs) {
+        out.status = Status::no_convergence;
+        return out;
+      }
       scales = {std::min(scales.displacement, reached.displacement), std::min(scales.velocity, reached.velocity)};
     }
   }

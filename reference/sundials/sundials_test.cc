@@ -38,10 +38,11 @@ struct Errors {
   double M, K;  // [-] in the norms of M and K
 };
 // The reference against the closed form of all modes of a small mesh: same M and K, two independent time integrations.
-Errors expect_agreement(const Scene& scene, double tolerance_M = 1e-7, double tolerance_K = 1e-7) {
+Errors expect_agreement(const Scene& scene, double tolerance_M = 1e-7, double tolerance_K = 1e-7,
+                        double load_tolerance = 1e-6) {
   const auto model = full_model(scene, scene.bodies[0], scene.bodies[0].resolution);
   const System& s = model->system();
-  const States closed = exact(s, 0.29)->run(times), stepped = sundials(s, 1e-10, 0.29)->run(times);
+  const States closed = exact(s, 0.29, load_tolerance)->run(times), stepped = sundials(s, 1e-10, 0.29)->run(times);
   EXPECT_EQ(stepped.status, Status::ok);
   const Errors errors{relative(s.M, stepped.u, closed.u), relative(s.K, stepped.u, closed.u)};
   EXPECT_LT(errors.M, tolerance_M);
@@ -142,7 +143,7 @@ TEST(SundialsVerification, ReleaseFromOneModeIsACosine) {
 TEST(SundialsVerification, AShortWindowOfAFormulaAgreesWithAllModes) {
   const Errors errors = expect_agreement(
       small_cylinder(Expression{"0.01*sin(10*t)^2 + (t > 0.15093 ? (t < 0.150933 ? 100 : 0) : 0)"}, {1.5733, 0}), 1e-6,
-      1e-5);
+      1e-5, 1e-7);
   expect_closed_form("displacement under a formula that is 1 for 3e-6 s and 1e-4 elsewhere, over 88 times, mass norm",
                      1e-6, "Ten times the load error that its lines are resampled to.", errors.M);
 }
