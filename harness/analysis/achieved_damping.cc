@@ -18,14 +18,14 @@ constexpr int n_modes = 40, most_kept = 32, most_stepped_modes = 8;
 
 // What the scene states for every elastic mode: its ratio, which the rest of its multiplet shares, or Rayleigh's
 // zeta = alpha/(2 omega) + beta omega/2.
-VectorXd asked(const Body& body, const VectorXd& omega) {
+VectorXd asked(const Body& body, const VectorXd& omega, double lambda_max) {
   VectorXd zeta = body.damping.alpha / 2 * omega.cwiseInverse() + body.damping.beta / 2 * omega;
   const auto n = static_cast<Index>(body.damping_ratios.size());
   for (Index i = 0; i < omega.size(); ++i) {
     const auto lambda = [&](Index k) { return omega(k) * omega(k); };
     if (i < n)
       zeta(i) = body.damping_ratios[static_cast<size_t>(i)];
-    else if (n > 0 && are_one_multiplet(lambda(n - 1), lambda(i)))
+    else if (n > 0 && are_one_multiplet(lambda(n - 1), lambda(i), lambda_max))
       zeta(i) = body.damping_ratios.back();
   }
   return zeta;
@@ -116,7 +116,7 @@ std::vector<Finding> achieved_damping(const AnalysisContext& context) {
   const System reduced = project(body.system, body.modes);
   const Modes unit{n_rigid, body.modes.omega, MatrixXd::Identity(body.modes.size(), body.modes.size()), {}, 0};
   const VectorXd of_full = damping_ratios(body.system, body.modes), of_reduced = damping_ratios(reduced, unit);
-  const VectorXd of_scene = asked(scene_body, body.modes.omega.tail(n));
+  const VectorXd of_scene = asked(scene_body, body.modes.omega.tail(n), body.modes.lambda_max);
   MatrixXd C(n, n);
   for (Index i = 0; i < n; ++i)
     C.row(i) = body.modes.Phi.rightCols(n).transpose() * apply_damping(body.system, body.modes.Phi.col(n_rigid + i));

@@ -1,6 +1,7 @@
 #include "harness/metrics/band_split.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -11,11 +12,7 @@ namespace {
 
 constexpr double half_width = 0.2;  // b
 
-Index padded_length(Index n) {
-  Index N = 1;
-  while (N < 4 * n) N *= 2;
-  return N;
-}
+Index padded_length(Index n) { return static_cast<Index>(std::bit_ceil(static_cast<size_t>(4 * n))); }
 
 MatrixXcd padded(const MatrixXd& x) {
   const Index n = x.cols(), N = padded_length(n);

@@ -1,9 +1,11 @@
 #include "harness/metrics/fourier.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <stdexcept>
+#include <utility>
 
 namespace mb {
 
@@ -54,8 +56,7 @@ MatrixXcd fourier(MatrixXcd x) {
 MatrixXcd real_fourier(const MatrixXd& x, Index N) {
   const Index n = x.cols(), n_bins = N / 2 + 1;
   if (n < 1 || N < n || N % 2 != 0) throw std::invalid_argument("a Fourier transform of an even number of samples");
-  Index length = 1;
-  while (length < n + n_bins - 1) length *= 2;
+  const auto length = static_cast<Index>(std::bit_ceil(static_cast<size_t>(n + n_bins - 1)));
   const auto chirp = [N](Index k) {  // k^2 modulo 2 N: large angles would lose digits
     const double square = std::fmod(static_cast<double>(k) * static_cast<double>(k), 2 * static_cast<double>(N));
     return std::polar(1.0, -pi * square / static_cast<double>(N));
@@ -65,18 +66,13 @@ MatrixXcd real_fourier(const MatrixXd& x, Index N) {
   for (Index k = 1; k < n; ++k) kernel(0, length - k) = std::conj(chirp(k));
   kernel = fourier(kernel);
 
+  MatrixXcd part = MatrixXcd::Zero(x.rows(), length);
+  for (Index k = 0; k < n; ++k) part.col(k) = chirp(k) * x.col(k);
+  part = fourier(std::move(part));
+  for (Index k = 0; k < length; ++k) part.col(k) *= kernel(0, k);
+  part = fourier(part.conjugate());  // the inverse, conjugated and times its length
   MatrixXcd X(x.rows(), n_bins);
-  constexpr Index block = 16;  // as above
-  for (Index first = 0; first < x.rows(); first += block) {
-    const Index n_rows = std::min(block, x.rows() - first);
-    MatrixXcd part = MatrixXcd::Zero(n_rows, length);
-    for (Index k = 0; k < n; ++k) part.col(k) = chirp(k) * x.col(k).segment(first, n_rows);
-    part = fourier(part);
-    for (Index k = 0; k < length; ++k) part.col(k) *= kernel(0, k);
-    part = fourier(part.conjugate());  // the inverse, conjugated and times its length
-    for (Index k = 0; k < n_bins; ++k)
-      X.col(k).segment(first, n_rows) = chirp(k) / static_cast<double>(length) * part.col(k).conjugate();
-  }
+  for (Index k = 0; k < n_bins; ++k) X.col(k) = chirp(k) / static_cast<double>(length) * part.col(k).conjugate();
   return X;
 }
 

@@ -15,7 +15,8 @@ using MatrixXcd = Eigen::MatrixXcd;
 // x: one signal a row, N columns. Throws std::invalid_argument where N is not a power of two.
 MatrixXcd fourier(MatrixXcd x);
 
-// X_0 ... X_{N/2} of real signals, zero behind their columns; N >= x.cols() even, else std::invalid_argument.
+// X_0 ... X_{N/2} of real signals, zero behind their columns; N >= x.cols() even, else std::invalid_argument. Takes
+// some ten times their memory: many are best taken a few at a time.
 MatrixXcd real_fourier(const MatrixXd& x, Index N);
 
 }  // namespace mb

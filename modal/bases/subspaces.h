@@ -15,8 +15,7 @@ struct Cluster {
   Index first, n;
 };
 // Of lambda[n_rigid] on, ascending: neighbours that differ by at most `gap` [-] of the larger, or by least_gap
-// [1/s^2], are of one cluster.
-// Throws std::invalid_argument for lambda out of order or not finite.
+// [1/s^2], are of one cluster. Throws std::invalid_argument for lambda out of order or not finite.
 std::vector<Cluster> clusters(const VectorXd& lambda, Index n_rigid, double gap, double least_gap = 0);
 
 // [-] relative distance of a cluster from the nearest elastic eigenvalue outside it; infinity where there is none.
