@@ -19,10 +19,8 @@ std::vector<std::string> energy_warnings(const std::vector<Record>& records, con
   for (const Record& record : records) {
     if (record.case_name != scene.name || record.profile != scene.profile || record.status != "ok") continue;
     if (record.metric != "energy-gain" || !(record.value > trusted)) continue;
-    warnings.push_back(
-        fmt::format("{} gains {:.3g} % of the energy in play, which nothing brings: a shorter step is "
-                    "called for",
-                    describe(record.contender), 100 * record.value));
+    warnings.push_back(fmt::format("{} gains {:.3g} % of the energy in play from nothing: shorten its step",
+                                   describe(record.contender), 100 * record.value));
   }
   std::ranges::sort(warnings);
   warnings.erase(std::unique(warnings.begin(), warnings.end()), warnings.end());

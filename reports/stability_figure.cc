@@ -81,7 +81,7 @@ std::vector<Figure> stability_figures(const Finding& finding) {
 std::vector<Figure> contact_stability_figures(const Finding& finding) {
   return maps_over(finding, "stiffness factor", "stiffness of the layer over the scene's",
                    "stable, inaccurate and unstable steps in contact; dashes the limit by one linearised step, "
-                   "dots a lower bound of it: only beyond may steps gain a tenth where the layer opens, and few do");
+                   "dots a lower bound of it: beyond alone may steps gain a tenth where the layer opens");
 }
 
 }  // namespace mb

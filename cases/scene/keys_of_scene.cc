@@ -166,8 +166,7 @@ const std::vector<KeyGroup>& scene_keys() {
          "a path below the case's folder: lines `t, s`, comments with `#`, an optional header, at most 1 MiB", ""},
         {"history.formula", "a text of at most 256 bytes", "", "", "required for expression",
          "in `t` [s] and `pi`; finite and at most 1e6 throughout, which bounds over intervals of time must show: a "
-         "formula "
-         "whose terms nearly cancel may be refused; no assignment, `==` or `!=`",
+         "formula whose terms nearly cancel may be refused; no assignment, `==` or `!=`",
          ""}}},
       {"`[[obstacle]]` (any number)",
        {{"obstacle.name", "a name", "", "", "required", "by which contacts refer to it", ""},
