@@ -38,7 +38,9 @@ const std::vector<KeyGroup>& study_keys() {
          "scenes with contact or of free bodies of finite kinematics",
          ""},
         {"study.load_tolerance", "a number", "[1e-9, 0.1]", "", "1e-5",
-         "error allowed where a chirp or expression is resampled for the closed form, relative to its peak", ""},
+         "error allowed where a chirp or expression is resampled for the closed form, relative to a chirp's peak, or "
+         "to an expression's own size and its mean at least",
+         ""},
         {"study.analyses", "an array of 1 to 64 analyses", "", "", "none",
          "tables beyond the marks of single runs: names of `modalbench list`", ""},
         {"study.rival", "0 to 16 tables", "", "", "none", "full-order contenders, at most 1000 runs in all", ""},

@@ -12,7 +12,7 @@
 
 namespace mb {
 
-// load_tolerance [-]: error allowed in resampling chirps and expressions relative to their peak; duration [s] > 0
+// load_tolerance [-]: error allowed in resampling chirps and expressions (history.h: load_error); duration [s] > 0
 // bounds the times that may be asked for. Throws std::invalid_argument for a dense eigenproblem of n > 6000, for sizes
 // that disagree and for times out of order or range; std::runtime_error where the rigid modes are not those which R
 // states, and what complex_modes.h throws. Work: steps counts closed forms evaluated, one a mode and output time or

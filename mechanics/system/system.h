@@ -96,7 +96,7 @@ class Stepper {
   // Exact means of u and v over [t - width/2, t + width/2] for every t of times, the state before t = 0 being the
   // initial one at rest. Only closed-form steppers have them: others throw std::invalid_argument.
   virtual States averages(const VectorXd& times, double width) const;
-  // Largest error made in representing the loads, relative to their peak [-]; 0 where they enter as they are.
+  // Largest error made in representing the loads [-] (history.h: load_error); 0 where they enter as they are.
   virtual double load_error() const { return 0; }
 };
 
