@@ -70,6 +70,7 @@ Vocabulary Catalogue::vocabulary() const {
   for (const auto& integrator : integrators) {
     names.integrators.push_back(integrator.name);
     if (integrator.knob == Integrator::Knob::tolerance) names.adaptive_integrators.push_back(integrator.name);
+    if (integrator.prepare_in_contact) names.impact_integrators.push_back(integrator.name);
   }
   for (const Metric& metric : metric_catalogue()) names.metrics.push_back(metric.name);
   for (const Analysis& analysis : analysis_catalogue()) {

@@ -18,6 +18,7 @@ namespace {
 
 using testing::arkode;
 using testing::average_acceleration;
+using testing::explicit_steps;
 
 using testing::FreeBody;
 constexpr double R = 0.06, g = 9.81;
@@ -205,6 +206,23 @@ TEST(FiniteAnswer, FixedStepsTendToTheAdaptiveAnswer) {
   const double coarse = error(4e-4), fine = error(1e-4);
   EXPECT_LT(fine, coarse / 5);
   EXPECT_LT(fine, 0.02);
+}
+
+// With the lumped mass: they tend to an answer of their own, which rebounds as the adaptive one does.
+TEST(FiniteAnswer, ExplicitStepsRebound) {
+  const Scene scene = dropped(Sphere{R}, R, 0.1, 0.17);
+  const Answered truth(scene, 1e-6), finest(scene, 2.5e-6, 101, explicit_steps());
+  const auto error = [&](double h) {
+    const Answered run(scene, h, 101, explicit_steps());
+    EXPECT_EQ(run.answer.status, Status::ok);
+    return (run.body().strain - finest.body().strain).norm() / finest.body().strain.norm();
+  };
+  const double coarse = error(4e-5), fine = error(1e-5);
+  EXPECT_LT(fine, coarse / 3);  // of first order where damping lags
+  EXPECT_LT(fine, 0.01);
+  const auto impulse = [](const Answered& run) { return run.body().contact.impulse(2, 100); };
+  EXPECT_NEAR(impulse(finest), impulse(truth), 0.02 * impulse(truth));
+  EXPECT_EQ(Answered(scene, 1e-3, 101, explicit_steps()).answer.status, Status::not_finite);
 }
 
 TEST(FiniteAnswer, WithoutContactLoadsActAndStrainsAreThoseOfTheFrame) {

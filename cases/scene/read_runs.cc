@@ -86,9 +86,21 @@ int read_graded(Section& section, const std::vector<BodyDraft>& bodies) {
   return graded;
 }
 
+// Contact and finite strain are not for every integrator: those of linear systems alone know K u.
+void check_impact(const std::string& integrator, Section& section, const RunContext& context) {
+  const auto& able = context.vocabulary.impact_integrators;
+  const auto finite = [](const BodyDraft& body) { return body.kinematics == Kinematics::finite; };
+  const bool impact = touch(context.bodies) == true || std::ranges::any_of(context.bodies, finite);
+  if (!impact || integrator.empty() || is_among(integrator, able)) return;
+  section.findings().error(section.where("integrator"),
+                           fmt::format("'{}' steps no full order in contact or of finite kinematics", integrator),
+                           fmt::format("there are: {}", fmt::join(able, ", ")));
+}
+
 Rival read_rival(Section section, const RunContext& context) {
   Rival rival;
   rival.integrator = read_integrator(section, context.vocabulary);
+  check_impact(rival.integrator, section, context);
   const auto degrees = section.integers("degrees", degree_range, {1, 4});
   if (degrees) check_ascending(*degrees, "degrees", section.findings());
   rival.degrees = values_of(degrees);

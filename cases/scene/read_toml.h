@@ -38,6 +38,7 @@ struct Vocabulary {
   std::vector<std::string> methods, integrators, metrics;
   std::vector<std::string> methods_without_modes;  // of methods: those that take no mode count
   std::vector<std::string> adaptive_integrators;   // of integrators: those that take a tolerance instead of a step
+  std::vector<std::string> impact_integrators;     // of integrators: of full order in contact or of finite kinematics
   std::vector<std::string> analyses;
   std::vector<std::string> analyses_of_loads = {};    // of analyses: those of scenes without contact
   std::vector<std::string> analyses_of_contact = {};  // of analyses: those of scenes with it

@@ -6,10 +6,10 @@
 //                             dt measured | measured / formula | omega deciding
 //   step-limit-runs           system | modes r | scheme | integrator | dt / limit | dt | steps | growth by theory |
 //                             growth observed | difference of logarithms | verdict
+//   step-limit-summary        system | runs | confirmed | not confirmed | too short to tell
 //   step-limit-exponents      claim | scheme | limits fitted | exponent | standard error | claimed | verdict
 //   stability-map             integrator | modes r | system | dt | dt / limit | spectral radius | energy | error |
-//   found |
-//                             limit | verdict
+//                             found | limit | verdict
 //   stability-summary         integrator | cells | stable | inaccurate | unstable | not as predicted |
 //                             too slow to be seen | order | standard error | largest energy
 //   aliasing                  frame rate | frames | contender | modes r | shutter | sub-samples | aliasing | droop |

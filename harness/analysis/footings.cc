@@ -35,6 +35,7 @@ const std::vector<TablesOfAnalysis>& entries() {
           "bisection to 1e-9 of the step, residuals of the modes"}},
         {"step-limit-runs",
          {"growth rho^n of one step's amplification", "closed form", "rounding of n steps, below the 1 % asked for"}},
+        {"step-limit-summary", verdict},
         {"step-limit-exponents", fitted}}},
       {"stability-map",
        {{"stability-map",

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cases/scene/read_toml.h"
+#include "harness/analysis/context_test.h"
 #include "harness/analysis/oscillators_test.h"
 #include "harness/catalogue.h"
 #include "harness/study/truth.h"
@@ -103,13 +104,34 @@ TEST(GrowthRun, OfAMeshFollowsItsHighestMode) {
 }
 
 TEST(GrowthRun, IsNotConfirmedByARunThatNeitherGrowsNorDecays) {
-  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-7, 1 + 1.001e-7}), "confirmed");
-  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-7, 1}), "not confirmed");
-  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-7, NAN}), "not confirmed");
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-4, 1 + 1.005e-4}), "confirmed");
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-4, 1}), "not confirmed");
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-4, NAN}), "not confirmed");
   EXPECT_EQ(growth_verdict({1, 200, 1, 1 + 1e-7}), "confirmed");
   EXPECT_EQ(growth_verdict({1, 200, 1, 1 + 1e-5}), "not confirmed");
-  EXPECT_EQ(growth_verdict({1, 200, 1, 1, 0.9}), "too short to tell");
-  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-7, 1 + 1e-7, 0.9}), "confirmed") << "what grows is seen at any phase";
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-7, 1 - 1e-7, 2}), "confirmed") << "it stays, but for rounding";
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-7, 1 + 1e-7, 0.9}), "too short to tell");
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-4, 1 + 1e-4, 0.9}), "confirmed") << "what grows is seen at any phase";
+}
+
+TEST(StepLimits, OfModesThatDampingCouplesAreNotThoseOfOneMode) {
+  const std::filesystem::path file = std::filesystem::path(MB_SOURCE_DIR) / "cases/hard/dashpot.toml";
+  EXPECT_THROW(test::analysed("step-limits", read_toml(file, default_catalogue().vocabulary())), std::invalid_argument);
+}
+
+// At a damping ratio of 1e8 displacements hardly move: both eigenvalues are real, and one is 1 within rounding.
+TEST(GrowthRun, OfAModeDampedBeyondAllMeasureIsSeen) {
+  System system = oscillators(omega, {});
+  system.modal_damping = {MatrixXd(VectorXd::Unit(3, 1)), VectorXd{{2 * 1e8 * omega(1)}}};
+  const VectorXd e = VectorXd::Unit(3, 1);
+  const Scheme& symplectic = scheme("symplectic-euler");
+  for (const double factor : {0.99, 1.01}) {
+    const double dt = factor * stable_omega_h(symplectic, 1e8) / omega(1);
+    const GrowthRun run = growth_run(system, {omega(1), 1e8, e, e}, symplectic,
+                                     default_catalogue().integrator("symplectic-euler"), dt, 200);
+    EXPECT_EQ(growth_verdict(run), factor > 1 ? "confirmed" : "too short to tell") << factor << " " << run.observed;
+    EXPECT_EQ(run.theory > 2, factor > 1) << run.theory;
+  }
 }
 
 // With another scheme's theory the figures part: the comparison can fail.

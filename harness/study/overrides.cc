@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "cases/scene/read_study.h"
 #include "harness/study/study_table.h"
@@ -59,7 +60,10 @@ class Change {
     return found == nullptr ? nullptr : &std::get<TomlArray>(found->value);
   }
   void replace(TomlFields& fields, const std::string& name, const std::string& key) const {
-    if (const TomlValue* const found = asked_.find(key)) fields[name] = *found;
+    const TomlValue* const found = asked_.find(key);
+    if (!found) return;
+    fields[name] = *found;
+    taken_.insert(key);
   }
 
   // "relative_tolerances" or "time_steps", what the accuracy of the table's integrator is set by.
@@ -98,6 +102,12 @@ class Change {
     for (const char* key : {"modal.time_steps", "modal.relative_tolerances"})
       if (const TomlValue* const found = asked_.find(key); found && !integrators)
         findings_.error(found->where, fmt::format("'{}' needs modal.integrators", key));
+      else if (found && !taken_.contains(key))
+        refuse(key);
+  }
+
+  void refuse(const std::string& key) const {
+    findings_.error(asked_.find(key)->where, fmt::format("no contender of the study takes '{}'", key));
   }
 
   void change_rivals() {
@@ -120,12 +130,15 @@ class Change {
       replace(rival, "cells", "rival.cells");
       replace(rival, accuracy(rival), "rival." + accuracy(rival));
     }
+    for (const char* key : {"rival.degrees", "rival.cells", "rival.time_steps", "rival.relative_tolerances"})
+      if (asked_.find(key) && !taken_.contains(key)) refuse(key);
   }
 
   const Assignments& asked_;
   const Vocabulary& vocabulary_;
   StudyTable all_;
   Findings& findings_;
+  mutable std::set<std::string> taken_;
 };
 
 std::vector<BodyDraft> drafts(const Scene& scene) {

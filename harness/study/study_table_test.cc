@@ -13,6 +13,7 @@ const Vocabulary vocabulary{{"eigenmodes", "linear", "full-order"},
                             {"displacement-error"},
                             {"linear"},
                             {"sundials"},
+                            {"newmark", "sundials"},
                             {"budget"}};
 
 // Of a scene of which it is not known whether it has contact, as of one that was read before.

@@ -1,10 +1,10 @@
 #include "mechanics/system/central_difference.h"
 
+#include "mechanics/contact/central_difference_finite.h"
 #include "mechanics/contact/contact_record.h"
 #include "mechanics/contact/contact_steppers.h"
 #include "mechanics/system/march.h"
 #include "mechanics/system/shifted.h"
-#include "mechanics/system/stored_energy.h"
 #include "mechanics/system/unbalanced_force.h"
 
 namespace mb {
@@ -89,13 +89,13 @@ class CentralDifference final : public Stepper {
 }  // namespace
 
 std::unique_ptr<Stepper> central_difference(const System& system, double h) {
-  require_linear(system, "central difference");
-  return std::make_unique<CentralDifference>(system, std::vector<Contact>(), checked_step(h, "central difference"));
+  return central_difference(system, {}, h);
 }
 
 std::unique_ptr<Stepper> central_difference(const System& system, const std::vector<Contact>& contacts, double h) {
-  require_linear(system, "central difference");
-  return std::make_unique<CentralDifference>(system, contacts, checked_step(h, "central difference"));
+  checked_step(h, "central difference");
+  if (system.stored_energy) return central_difference_finite(system, contacts, h);
+  return std::make_unique<CentralDifference>(system, contacts, h);
 }
 
 }  // namespace mb

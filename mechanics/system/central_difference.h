@@ -5,7 +5,8 @@
 //
 // With a lumped (diagonal) mass a step is one product with K. There the damping of K and of single modes would couple
 // the degrees of freedom: it lags half a step instead, C (u - u-)/h, and lowers the limit (stability.h). Damping that
-// is proportional to mass stays implicit. Belytschko, Liu & Moran 2000, Nonlinear Finite Elements, sect. 6.2.
+// is proportional to mass stays implicit. Bodies of finite deformation: central_difference_finite.h. Belytschko, Liu &
+// Moran 2000, Nonlinear Finite Elements, sect. 6.2.
 #pragma once
 
 #include <memory>

@@ -1,0 +1,93 @@
+// What every hard case must bring along: contenders of every integrator, on the mesh and on its modes, below and past
+// the limit of their steps, and checks that hold them to what must come of it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cases/scene/read_toml.h"
+#include "harness/catalogue.h"
+
+namespace mb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Scene> hard_scenes() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(fs::path(MB_SOURCE_DIR) / "cases/hard"))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::ranges::sort(files);
+  std::vector<Scene> scenes;
+  for (const fs::path& file : files) scenes.push_back(read_toml(file, default_catalogue().vocabulary()));
+  return scenes;
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) { return std::ranges::count(names, name) > 0; }
+
+// Modes of a free body that turns are stepped in its frame, by nothing but the closed form.
+bool turns(const Scene& scene) {
+  return std::ranges::any_of(scene.bodies,
+                             [](const Body& b) { return b.kinematics == Kinematics::finite && b.supports.empty(); });
+}
+
+// Whether a check says that steps of the integrator end so: "unstable", or "" for an error of one step's own.
+bool checked(const Scene& scene, const std::string& method, const std::string& integrator, const std::string& status) {
+  return std::ranges::any_of(scene.checks, [&](const Check& check) {
+    return check.method == method && check.integrator == integrator && check.status == status;
+  });
+}
+
+class HardScenes : public ::testing::Test {
+ protected:
+  const Catalogue catalogue_ = default_catalogue();
+  const std::vector<Scene> all_ = hard_scenes();
+};
+
+TEST_F(HardScenes, AreSteppedByEveryIntegratorInModes) {
+  ASSERT_GE(all_.size(), 25u);
+  for (const Scene& scene : all_) {
+    if (!scene.contacts.empty() || turns(scene)) continue;
+    for (const Integrator& integrator : catalogue_.integrators) {
+      if (integrator.name == "exact") continue;
+      const std::string what = scene.name + " " + integrator.name;
+      EXPECT_TRUE(std::ranges::any_of(scene.study.steppings, [&](const Stepping& s) {
+        return s.integrator == integrator.name;
+      })) << what;
+      EXPECT_EQ(checked(scene, "eigenmodes", integrator.name, "unstable"), integrator.conditionally_stable) << what;
+      if (!integrator.conditionally_stable) {
+        EXPECT_TRUE(checked(scene, "eigenmodes", integrator.name, "")) << what;
+      }
+    }
+    EXPECT_TRUE(checked(scene, "eigenmodes", "central-difference", "")) << scene.name << ": below the limit";
+  }
+}
+
+TEST_F(HardScenes, AreSteppedInFullOrderBelowAndPastTheLimit) {
+  for (const Scene& scene : all_) {
+    bool implicit = false, past = false;
+    for (const Rival& rival : scene.study.rivals) {
+      const bool conditionally = catalogue_.integrator(rival.integrator).conditionally_stable;
+      implicit |= !conditionally;
+      past |= conditionally && checked(scene, "full-order", rival.integrator, "unstable");
+    }
+    EXPECT_TRUE(implicit && past) << scene.name;
+    const auto& tables = scene.study.analyses;
+    const bool below = has(tables, "step-limits") || checked(scene, "full-order", "central-difference", "");
+    EXPECT_TRUE(below) << scene.name << ": steps of the mesh below its limit";
+  }
+}
+
+TEST_F(HardScenes, HaveMapsOfTheirStepsAndSayWhatIsHard) {
+  for (const Scene& scene : all_) {
+    const std::string map = scene.contacts.empty() ? "stability-map" : "contact-stability";
+    EXPECT_TRUE(has(scene.study.analyses, map)) << scene.name;
+    EXPECT_TRUE(std::ranges::any_of(scene.checks, [&](const Check& check) {
+      return check.table == (map == "stability-map" ? "stability-summary" : map + "-summary");
+    })) << scene.name;
+    EXPECT_GT(scene.hard.size(), 80u) << scene.name;
+  }
+}
+
+}  // namespace
+}  // namespace mb
