@@ -119,6 +119,21 @@ TEST(FiniteMotion, ExplicitStepsConvergeWithTheirOrder) {
   EXPECT_NEAR(order({20, 1e-5}), 1, 0.3);
 }
 
+// As contenders step it: damping in proportion to the mass is that of the mass which is stepped with.
+TEST(FiniteMotion, ExplicitStepsOfALumpedMassDampItAlone) {
+  const VectorXd times = VectorXd::LinSpaced(6, 0, 0.1);
+  Spun spun({20, 0});
+  System alone = spun.system;
+  alone.M = alone.lumped_mass;
+  alone.lumped_mass = {};
+  const States truth = sundials(alone, 1e-9, 0.1)->run(times);
+  const auto error = [&](double h) {
+    return (central_difference(spun.system, h)->run(times).u - truth.u).norm() / truth.u.norm();
+  };
+  EXPECT_LT(error(2e-5), 1e-3);
+  EXPECT_NEAR(std::log2(error(4e-5) / error(2e-5)), 1, 0.3);
+}
+
 // The limit is that of the mass that is stepped with; beyond it the body inverts within a few steps.
 TEST(FiniteMotion, ExplicitStepsPastTheLimitAreSeen) {
   const VectorXd times = VectorXd::LinSpaced(6, 0, 0.1);

@@ -40,6 +40,15 @@ TEST(LinearWarnings, AreOfWhatIsBeyondTheLimits) {
   EXPECT_THAT(linear_warnings({of_truth("displacement-error", 0.5)}, linear), IsEmpty());
 }
 
+TEST(LinearWarnings, ReachAsFarAsBars) {
+  Record strained = of_truth("truth-strain", 0.0095);
+  strained.error_bar = 0.001;
+  EXPECT_THAT(linear_warnings({strained}, scene(Kinematics::linear)),
+              ElementsAre(HasSubstr("body: strain 0.0095 +- 0.0010 may be beyond 0.01, where linear theory")));
+  strained.error_bar = 0.0004;
+  EXPECT_THAT(linear_warnings({strained}, scene(Kinematics::linear)), IsEmpty());
+}
+
 TEST(LinearWarnings, SayWhoIsLinear) {
   const Record strained = of_truth("truth-strain", 0.03);
   EXPECT_THAT(linear_warnings({strained}, scene(Kinematics::linear)), ElementsAre(HasSubstr("no bar of a linear")));

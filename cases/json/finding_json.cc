@@ -23,7 +23,8 @@ Json cell_json(const FindingCell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return one_line(*text, max_text);
   const double value = std::get<double>(cell);
   if (std::isfinite(value)) return value;
-  return {{"special", std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"}};
+  if (std::isnan(value)) return nullptr;
+  return {{"special", value > 0 ? "inf" : "-inf"}};
 }
 
 FindingCell cell_from(const Json& json) {
@@ -32,11 +33,11 @@ FindingCell cell_from(const Json& json) {
     if (!std::isfinite(json.get<double>())) refuse("rows", "hold a number that is not finite");
     return json.get<double>();
   }
+  if (json.is_null()) return not_a_number;
   const Json special = json.is_object() && json.size() == 1 ? json.value("special", Json()) : Json();
-  if (special == "nan") return not_a_number;
   if (special == "inf") return infinity;
   if (special == "-inf") return -infinity;
-  refuse("rows", "hold a cell that is no text, no number and none of the named specials");
+  refuse("rows", "hold a cell that is no text, no number, not null and none of the named specials");
 }
 
 Json columns_json(const std::vector<FindingColumn>& columns) {

@@ -75,7 +75,7 @@ TEST(FindingJson, every_field_comes_back_from_its_text) {
 TEST(FindingJson, what_is_not_finite_is_named) {
   const Json json = to_json(example());
   EXPECT_EQ(to_line(json["rows"][1]), R"(["full",{"special":"inf"}])");
-  EXPECT_EQ(to_line(json["rows"][2][1]), R"({"special":"nan"})");
+  EXPECT_EQ(to_line(json["rows"][2][1]), "null");
   EXPECT_EQ(to_line(json["rows"][3][1]), R"({"special":"-inf"})");
   const Finding after = finding_from_json(json);
   EXPECT_TRUE(std::isnan(std::get<double>(after.rows[2][1])));
@@ -108,7 +108,7 @@ TEST(FindingJson, every_key_is_required_and_typed) {
 }
 
 TEST(FindingJson, hostile_values_are_refused) {
-  expect_refused("schema", 3);
+  expect_refused("schema", 2);
   expect_refused("run", "../../etc/passwd");
   expect_refused("run", "0123456789ABCDEF0123456789ABCDEF");
   expect_refused("analysis", "Upper case");
@@ -129,8 +129,9 @@ TEST(FindingJson, hostile_values_are_refused) {
 }
 
 TEST(FindingJson, rows_hold_texts_numbers_and_named_specials_alone) {
-  for (const Json& cell : {Json(nullptr), Json(true), Json::array({1}), Json::object(), Json({{"special", "huge"}}),
-                           Json({{"special", "inf"}, {"more", 1}}), Json(std::string(4097, 'x')), Json(infinity)}) {
+  for (const Json& cell :
+       {Json({{"special", "nan"}}), Json(true), Json::array({1}), Json::object(), Json({{"special", "huge"}}),
+        Json({{"special", "inf"}, {"more", 1}}), Json(std::string(4097, 'x')), Json(infinity)}) {
     expect_refused("rows", Json::array({Json::array({1, cell})}));
   }
   expect_refused("rows", Json::array({Json::array({1})}));

@@ -36,6 +36,8 @@
 //   aspect                    aspect | unknowns | first frequency | largest residual | modes against steps |
 //                             | energy, newmark | energy below the limit | energy past the limit
 //   locking                   element | nu | cells | unknowns | static error | frequency error
+//   locking-dynamics          nu | unknowns | first frequency | modes against steps | energy, newmark |
+//                             energy below the limit | energy past the limit
 //   locking-growth            element | static error at 0.3 | static error at 0.4999 | growth of static error |
 //                             frequency error at 0.3 | frequency error at 0.4999 | growth of frequency error
 //   linearity                 modes r | largest strain | largest rotation | second order | third order | estimate |

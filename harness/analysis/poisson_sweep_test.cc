@@ -7,6 +7,7 @@
 
 #include "cases/scene/one_body.h"
 #include "harness/analysis/context_test.h"
+#include "harness/analysis/stability_grid.h"
 
 namespace mb {
 namespace {
@@ -75,6 +76,21 @@ TEST(PoissonSweep, RefusesWhatItCannotSweep) {
   huge.truth.finer = {2, {40, 40, 40}};  // of degree 4 and 80 cells a side: a hundred million unknowns
   EXPECT_THAT([&] { poisson_sweep(huge, {0.3}); },
               ::testing::ThrowsMessage<std::runtime_error>(::testing::HasSubstr("takes about")));
+}
+
+TEST(Locking, ModesAndStepsTellOfOneMotionAtEveryRatio) {
+  const std::vector<Finding> tables = test::analysed("locking", bar());
+  const auto dynamics = std::ranges::find(tables, "locking-dynamics", &Finding::name);
+  ASSERT_NE(dynamics, tables.end());
+  ASSERT_EQ(dynamics->rows.size(), 4u);
+  for (size_t i = 0; i < 4; ++i) {
+    const auto number = [&](size_t column) { return std::get<double>(dynamics->rows[i][column]); };
+    EXPECT_LT(number(3), 0.05) << number(0);
+    EXPECT_LT(dynamics->bars[i][3], 1e-3) << number(0);
+    EXPECT_LE(number(4), 1 + 1e-9) << number(0);
+    EXPECT_LE(number(5), 1 + 1e-9) << number(0);
+    EXPECT_GE(number(6), energy_bound) << number(0);
+  }
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ struct GrowthRun {
   double theory, observed;  // [-] rho^n and what the run shows; NaN where it was not finite
   double phase = std::numeric_limits<double>::infinity();  // [rad] n omega dt
 };
-// "confirmed" where ln observed = ln theory within 1 % or 1e-6, which rounding does: a run that neither grows nor
-// decays confirms no growth above 1e-4. "too short to tell" where theory says that the size stays within that 1e-6 and
+// "confirmed" where ln observed = ln theory within 1 % or 1e-8, which rounding does: a run that neither grows nor
+// decays confirms no growth above that. "too short to tell" where theory says that the size stays within that 1e-8 and
 // the mode turned by less than a radian meanwhile.
 std::string growth_verdict(const GrowthRun& run);
 // As many steps as growth by a factor 3 takes, in [20, most_steps]. system: its loads and initial state are not used.

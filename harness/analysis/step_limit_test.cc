@@ -104,14 +104,14 @@ TEST(GrowthRun, OfAMeshFollowsItsHighestMode) {
 }
 
 TEST(GrowthRun, IsNotConfirmedByARunThatNeitherGrowsNorDecays) {
-  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-4, 1 + 1.005e-4}), "confirmed");
-  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-4, 1}), "not confirmed");
-  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-4, NAN}), "not confirmed");
-  EXPECT_EQ(growth_verdict({1, 200, 1, 1 + 1e-7}), "confirmed");
-  EXPECT_EQ(growth_verdict({1, 200, 1, 1 + 1e-5}), "not confirmed");
-  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-7, 1 - 1e-7, 2}), "confirmed") << "it stays, but for rounding";
-  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-7, 1 + 1e-7, 0.9}), "too short to tell");
-  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-4, 1 + 1e-4, 0.9}), "confirmed") << "what grows is seen at any phase";
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-6, 1 + 1.005e-6}), "confirmed");
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-6, 1}), "not confirmed");
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-6, NAN}), "not confirmed");
+  EXPECT_EQ(growth_verdict({1, 200, 1, 1 + 1e-9}), "confirmed");
+  EXPECT_EQ(growth_verdict({1, 200, 1, 1 + 1e-7}), "not confirmed");
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-9, 1 - 1e-9, 2}), "confirmed") << "it stays, but for rounding";
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-9, 1 + 1e-9, 0.9}), "too short to tell");
+  EXPECT_EQ(growth_verdict({1, 200, 1 + 1e-6, 1 + 1e-6, 0.9}), "confirmed") << "what grows is seen at any phase";
 }
 
 TEST(StepLimits, OfModesThatDampingCouplesAreNotThoseOfOneMode) {

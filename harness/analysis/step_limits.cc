@@ -83,7 +83,7 @@ Finding runs_table() {
                "Runs of the catalogue's integrators from the deciding mode at 0.99 and 1.01 of the measured limit; "
                "where the limit is 0, at a hundredth of 1/omega. Theory: rho^n, rho the spectral radius. Observed: "
                "growth of the run's share in the eigenvector of the larger eigenvalue over the same n steps. A run "
-               "confirms where the logarithms of both agree within 1 %, or within 1e-6, which rounding does; it is too "
+               "confirms where the logarithms of both agree within 1 %, or within 1e-8, which rounding does; it is too "
                "short to tell where both are that small and the mode turns by less than a radian. Steps are as many as "
                "growth or decay by 3 takes, within bounds of work: near "
                "its limit explicit Euler grows slowly.",

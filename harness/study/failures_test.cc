@@ -225,6 +225,8 @@ relative_tolerances = [1e-4]
     ASSERT_EQ(modalbench(scratch.path(), line).code, 0);
     EXPECT_EQ(count("sundials", "online-time"), 2);
     EXPECT_EQ(count("sundials", "truth-above-band"), 1);
+    for (const Record& record : records_in(scratch))
+      EXPECT_TRUE(!record.metric.starts_with("truth-") || record.error_bar) << record.metric;
     EXPECT_EQ(count("sundials", "displacement-error"), 3);  // on the body's mesh against both truths
   }
   EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml"}).err, HasSubstr("0 runs done, 6 found"));

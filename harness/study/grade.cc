@@ -94,13 +94,15 @@ double Grader::energy_fed(const Trajectory& answer) const {
 
 std::vector<Record> Grader::truth_marks(const Record& base) const {
   std::vector<Record> records;
-  for (const Subject& subject : subjects_) {
+  for (size_t i = 0; i < subjects_.size(); ++i) {
+    const Subject& subject = subjects_[i];
     if (!subject.metric.of_truth_alone) continue;
     const Mark mark = mb::mark(subject.metric, truth_.finer, truth_.finer, subject.context);
     Record record = blank(base, subject, TruthKind::finer);
     record.value = mark.value;
     record.status = mark.status;
     record.work = truth_.finer.work;
+    if (const double bar = bars_.at({i, TruthKind::finer}); std::isfinite(bar)) record.error_bar = bar;
     records.push_back(std::move(record));
   }
   return records;

@@ -49,6 +49,7 @@ class Change {
   StudyTable run() {
     change_modal();
     change_rivals();
+    refuse_idle_keys();
     replace(all_.fields, "analyses", "study.analyses");
     if (const auto* analyses = words("study.analyses"); analyses && is_none(*analyses)) all_.fields.erase("analyses");
     return all_;
@@ -59,7 +60,7 @@ class Change {
     const TomlValue* const found = asked_.find(key);
     return found == nullptr ? nullptr : &std::get<TomlArray>(found->value);
   }
-  void replace(TomlFields& fields, const std::string& name, const std::string& key) const {
+  void replace(TomlFields& fields, const std::string& name, const std::string& key) {
     const TomlValue* const found = asked_.find(key);
     if (!found) return;
     fields[name] = *found;
@@ -74,15 +75,21 @@ class Change {
     return chooses ? "relative_tolerances" : "time_steps";
   }
 
-  // A mode count is of no use where no method takes one: the reader would refuse it.
-  void change_stepping(TomlFields& stepping) const {
-    replace(stepping, "methods", "modal.methods");
-    replace(stepping, "modes", "modal.modes");
+  bool take_modes(const TomlFields& contender) const {
     const auto takes = [&](const TomlValue& method) {
       return std::ranges::none_of(vocabulary_.methods_without_modes,
                                   [&](const std::string& name) { return is_text(method, name); });
     };
-    if (std::ranges::none_of(std::get<TomlArray>(stepping.at("methods").value).items, takes)) stepping.erase("modes");
+    return std::ranges::any_of(std::get<TomlArray>(contender.at("methods").value).items, takes);
+  }
+
+  // A mode count is of no use where no method takes one: the reader would refuse it.
+  void change_stepping(TomlFields& stepping) {
+    replace(stepping, "methods", "modal.methods");
+    if (take_modes(stepping))
+      replace(stepping, "modes", "modal.modes");
+    else
+      stepping.erase("modes");
   }
 
   void change_modal() {
@@ -97,17 +104,25 @@ class Change {
     }
     for (TomlFields& stepping : all_.steppings) change_stepping(stepping);
     if (has_closed_form()) replace(all_.fields, "methods", "modal.methods");
+    const bool closed_form_takes_modes = has_closed_form() && take_modes(all_.fields);
+    const bool modes_matter = closed_form_takes_modes || taken_.contains("modal.modes");
     replace(all_.fields, "modes", "modal.modes");
+    if (!modes_matter) taken_.erase("modal.modes");
     replace(all_.fields, "contact_steps", "modal.contact_steps");
-    for (const char* key : {"modal.time_steps", "modal.relative_tolerances"})
-      if (const TomlValue* const found = asked_.find(key); found && !integrators)
-        findings_.error(found->where, fmt::format("'{}' needs modal.integrators", key));
-      else if (found && !taken_.contains(key))
-        refuse(key);
+    for (const char* key : {"modal.time_steps", "modal.relative_tolerances"}) {
+      const TomlValue* const found = asked_.find(key);
+      if (!found || integrators) continue;
+      findings_.error(found->where, fmt::format("'{}' needs modal.integrators", key));
+      taken_.insert(key);  // once is enough
+    }
   }
 
-  void refuse(const std::string& key) const {
-    findings_.error(asked_.find(key)->where, fmt::format("no contender of the study takes '{}'", key));
+  // What would change nothing was meant to change something.
+  void refuse_idle_keys() {
+    for (const char* key : {"modal.modes", "modal.time_steps", "modal.relative_tolerances", "rival.degrees",
+                            "rival.cells", "rival.time_steps", "rival.relative_tolerances"})
+      if (const TomlValue* const found = asked_.find(key); found && !taken_.contains(key))
+        findings_.error(found->where, fmt::format("no contender of the study takes '{}'", key));
   }
 
   void change_rivals() {
@@ -130,15 +145,13 @@ class Change {
       replace(rival, "cells", "rival.cells");
       replace(rival, accuracy(rival), "rival." + accuracy(rival));
     }
-    for (const char* key : {"rival.degrees", "rival.cells", "rival.time_steps", "rival.relative_tolerances"})
-      if (asked_.find(key) && !taken_.contains(key)) refuse(key);
   }
 
   const Assignments& asked_;
   const Vocabulary& vocabulary_;
   StudyTable all_;
   Findings& findings_;
-  mutable std::set<std::string> taken_;
+  std::set<std::string> taken_;  // keys that changed something
 };
 
 std::vector<BodyDraft> drafts(const Scene& scene) {

@@ -87,7 +87,6 @@ TEST(OverridesTest, TheLimitsOfCaseFilesHold) {
   refused("rival.integrators=central-difference", "missing key 'cells' in [[study.rival]]");
 }
 
-// What would change nothing was meant to change something.
 TEST(OverridesTest, KeysThatNoContenderTakesAreRefused) {
   EXPECT_THAT(complaint({"rival.relative_tolerances=1e-4"}),
               HasSubstr("small --set:1:27: error: no contender of the study takes 'rival.relative_tolerances'"));
@@ -96,6 +95,8 @@ TEST(OverridesTest, KeysThatNoContenderTakesAreRefused) {
   EXPECT_THAT(both, HasSubstr("no contender of the study takes 'rival.degrees'"));
   EXPECT_THAT(both, HasSubstr("no contender of the study takes 'modal.relative_tolerances'"));
   EXPECT_THAT(both, ::testing::Not(HasSubstr("takes 'modal.time_steps'")));
+  EXPECT_THAT(complaint({"modal.integrators=newmark", "modal.time_steps=0.01", "modal.methods=full", "modal.modes=3"}),
+              HasSubstr("no contender of the study takes 'modal.modes'"));
 }
 
 // Words that are valid alone, in what is left of the case.

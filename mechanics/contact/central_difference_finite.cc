@@ -19,8 +19,8 @@ class CentralDifferenceFinite final : public Stepper {
         touches_(!contacts.empty()),
         h_(h),
         contact_(contacts),
-        force_(system),
-        mass_(system.lumped_mass.rows() > 0 ? system.lumped_mass : system.M) {}
+        force_(system, FiniteForce::Mass::lumped_if_any),
+        mass_(force_.M()) {}
 
   States run(const VectorXd& times) const override {
     VectorXd a = VectorXd::Zero(system_.u0.size()), f_C;

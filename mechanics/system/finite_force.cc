@@ -30,11 +30,12 @@ MatrixXd loads(const System& system, bool turning) {
 
 }  // namespace
 
-FiniteForce::FiniteForce(const System& system)
+FiniteForce::FiniteForce(const System& system, Mass mass)
     : system_(checked(system)),
       F_(loads(system, false)),
       F_turning_(loads(system, true)),
-      M_(system.M),
+      M_(mass == Mass::lumped_if_any && system.lumped_mass.rows() > 0 ? system.lumped_mass : system.M),
+      M_product_(M_),
       factors_(system),
       Mv_(system.u0.size()),
       w_(system.u0.size()) {}
@@ -42,7 +43,7 @@ FiniteForce::FiniteForce(const System& system)
 MatrixXd FiniteForce::rigid(const VectorXd& u) const {
   const MatrixXd R = system_.stored_energy->rigid_motions(u);
   if (R.cols() == 0) return R;
-  const MatrixXd gram = R.transpose() * (system_.M * R);
+  const MatrixXd gram = R.transpose() * (M_ * R);
   return gram.llt().matrixU().solve<Eigen::OnTheRight>(R);
 }
 
@@ -61,10 +62,10 @@ bool FiniteForce::resistance(double t, const VectorXd& u, const VectorXd& v, Vec
   if (!system_.stored_energy->force(u, v, f)) return false;
   if (const double alpha = system_.damping.alpha; alpha != 0) {
     const MatrixXd R = rigid(u);
-    M_(v, Mv_);
+    M_product_(v, Mv_);
     w_ = v;
     if (R.cols() > 0) w_.noalias() -= R * (R.transpose() * Mv_).eval();
-    M_(w_, Mv_);
+    M_product_(w_, Mv_);
     f.noalias() += alpha * Mv_;
   }
   if (F_turning_.cols() > 0) take_turned_loads(t, u, f);

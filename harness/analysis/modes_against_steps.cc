@@ -1,0 +1,71 @@
+#include "harness/analysis/modes_against_steps.h"
+
+#include <cmath>
+
+#include "harness/analysis/modal_body.h"
+#include "harness/analysis/stability_grid.h"
+#include "modal/bases/eigenmodes.h"
+#include "modal/methods/projection.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double step_tolerance = 1e-6;  // [-] of the adaptive steps
+constexpr long steps_of_vibration = 1000;
+constexpr double below = 0.99, past = 1.01, far_past = 1000;  // [-] steps over the limit of central differences
+
+LinearBody with_histories(LinearBody body, const Scene& scene) {
+  for (size_t i = 0; i < scene.loads.size(); ++i) body.system.s[i] = scene.loads[i].history;
+  return body;
+}
+
+// off and its bar: how far that is from the same against steps of ten times the tolerance.
+std::pair<double, double> off_steps(const AnalysisContext& context, const SolvedBody& body, const Scene& scene) {
+  Settings settings;
+  settings.load_tolerance = scene.study.load_tolerance;
+  const auto answer = [&](LinearBody linear, const char* integrator, int used) {
+    return prepare_linear({with_histories(std::move(linear), scene)}, context.catalogue.integrator(integrator),
+                          settings, scene.duration, used)
+        ->simulate({.t = sample_times(scene)});
+  };
+  const MatrixXd rest = residual_flexibility(body.modes, body.system().F, body.at_rest);
+  const int used = static_cast<int>(body.modes.size() - body.modes.n_rigid);
+  const MetricContext metric_context{scene, 0, body.model.bodies.front().points, is_free(context)};
+  const Trajectory reduced = answer(reduce(body.model.bodies.front(), body.modes, rest), "exact", used);
+  const auto against_steps = [&](double tolerance) {
+    settings.relative_tolerance = tolerance;
+    return mark(metric("displacement-error"), reduced, answer(unreduced(body.model).bodies.front(), "sundials", -1),
+                metric_context)
+        .value;
+  };
+  const double value = against_steps(step_tolerance);
+  return {value, std::abs(against_steps(10 * step_tolerance) - value)};
+}
+
+}  // namespace
+
+SolvedBody solved_body(const Scene& scene, int n_modes) {
+  Model model = model_of_own_mesh(std::make_shared<const Scene>(scene), own_meshes(scene));
+  const System& system = model.bodies.front().full->system();
+  const ShiftedFactor shifted = shifted_factor(system, physical_shift(scene.bodies.front()));
+  Modes modes = lowest_modes(system, n_modes, shifted);
+  MatrixXd at_rest = inertia_relief(system, shifted, system.F);
+  return {std::move(model), std::move(modes), std::move(at_rest)};
+}
+
+ModesAgainstSteps modes_against_steps(const AnalysisContext& context, const SolvedBody& body, const Scene& scene) {
+  System reduced = project(body.system(), body.modes);
+  for (size_t i = 0; i < scene.loads.size(); ++i) reduced.s[i] = scene.loads[i].history;
+  const MappedSystem mapped =
+      mapped_system(std::move(reduced), sample_times(scene), scene.duration, scene.study.load_tolerance);
+  const double limit = predicted_limit(mapped, "central-difference");
+  const auto energy = [&](const char* integrator, double dt) {
+    return step_cell(mapped, context.catalogue.integrator(integrator), dt, steps_of_vibration).energy;
+  };
+  const auto [off, bar] = off_steps(context, body, scene);
+  return {off, bar, energy("newmark", far_past * limit), energy("central-difference", below * limit),
+          energy("central-difference", past * limit)};
+}
+
+}  // namespace mb
