@@ -104,7 +104,7 @@ Finding summary_table() {
   return table(
       "step-limits", "step-limit-summary", "How many of these runs do what the amplification says",
       "Runs at 0.99 and 1.01 of the limit by what became of them. With the consistent mass and with the lumped "
-      "one it is the mesh itself that is stepped, of whatever size.",
+      "one it is the mesh itself that is stepped, of whatever size, made linear where its kinematics are finite.",
       {{"system", ""}, {"runs", ""}, {"confirmed", ""}, {"not confirmed", ""}, {"too short to tell", ""}});
 }
 
