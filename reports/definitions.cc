@@ -13,6 +13,9 @@ constexpr std::pair<const char*, const char*> words[] = {
     {"truth exact",
      "The closed form of the continuum itself, where a case has one: errors against it hold truncation, time stepping "
      "and discretisation."},
+    {"truth same_modes",
+     "The closed form of the same modes, of runs whose modes are stepped by something else: errors against it hold "
+     "time stepping alone. Its bar is the error of representing the load."},
     {"closed form",
      "Modes are integrated exactly, without time steps: the integrator of runs that name none, exact in case files and "
      "records. Of scenes without contact."},

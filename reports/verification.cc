@@ -19,6 +19,7 @@ std::string reference_of(const CheckResult& result, const Scene* scene) {
   if (!scene) return check.truth;
   if (check.truth == "exact") return "closed form " + scene->truth.exact;
   const std::string rtol = format_setting(scene->truth.relative_tolerance);
+  if (check.truth == "same_modes") return "closed form of the same modes";
   if (check.truth == "finer")
     return "full order on " + to_string(scene->truth.finer) + ", adaptive steps at rtol " + rtol;
   return "full order on the same mesh, adaptive steps at rtol " + rtol + "/100";
@@ -28,7 +29,9 @@ std::string kind_of(const CheckResult& result) {
   const Check& check = result.check;
   if (!check.table.empty()) return result.footing.kind;
   if (!check.status.empty()) return "property";
-  return check.truth == "exact" ? "closed form" : check.truth == "finer" ? "converged numbers" : "second route";
+  return check.truth == "exact" || check.truth == "same_modes" ? "closed form"
+         : check.truth == "finer"                              ? "converged numbers"
+                                                               : "second route";
 }
 
 std::string uncertainty_of(const CheckResult& result) {

@@ -10,6 +10,8 @@ const char* to_string(TruthKind kind) {
       return "finer";
     case TruthKind::exact:
       return "exact";
+    case TruthKind::same_modes:
+      return "same_modes";
   }
   return "";
 }

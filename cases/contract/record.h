@@ -10,8 +10,9 @@
 namespace mb {
 
 // Truth kinds: same_mesh shares M and K with the contender (truncation, stepping); finer adds discretisation; exact is
-// a closed form of the continuum (cases/exact/).
-enum class TruthKind { same_mesh, finer, exact };
+// a closed form of the continuum (cases/exact/); same_modes is the closed form of the same modes, of those that are
+// stepped otherwise: what is left is their steps alone.
+enum class TruthKind { same_mesh, finer, exact, same_modes };
 const char* to_string(TruthKind kind);
 
 struct Contender {
@@ -29,7 +30,7 @@ struct Record {
   long n_unknowns = 0;  // degrees of freedom stepped in time
   std::string metric;   // a name of the metric catalogue
   std::string subject;  // body or probe that was measured, or ""
-  std::string truth;    // "finer", "same_mesh", "exact", or "" where the metric needs none (times)
+  std::string truth;    // "finer", "same_mesh", "exact", "same_modes", or "" where the metric needs none (times)
   double value = 0;     // where not finite stored as null, and then with a status other than "ok"
   std::string unit;
   std::optional<double> error_bar;  // same unit; a value below it prints as "<= bar"

@@ -184,7 +184,7 @@ Record record_from_json(const Json& json) {
   record.n_unknowns = members.integer("n_unknowns", 0, max_count);
   record.metric = members.name("metric");
   record.subject = members.name_or_none("subject");
-  record.truth = members.one_of("truth", {"finer", "same_mesh", "exact", ""});
+  record.truth = members.one_of("truth", {"finer", "same_mesh", "exact", "same_modes", ""});
   record.status = members.text("status");
   record.value = value_from(members, record.status);
   record.unit = members.text("unit");

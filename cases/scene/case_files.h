@@ -39,6 +39,7 @@ inline Vocabulary vocabulary() {
            {"aspect", "aspect"},
            {"long-run", "long-run"},
            {"locking-growth", "locking"},
+           {"locking-dynamics", "locking"},
            {"linearity", "linearity"},
            {"multiplets", "multiplets"},
            {"multiplets-kept", "multiplets"},

@@ -123,10 +123,14 @@ bool read_status(Section& section, std::initializer_list<const char*> keys, Chec
 bool read_mark(Section& section, const CheckContext& context, const Vocabulary& vocabulary, Check& check) {
   if (section.has("status")) return read_status(section, {"metric", "truth", "at_most", "at_least"}, check);
   const auto metric = section.choice("metric", {vocabulary.metrics, "metric", "metrics"});
-  const auto truth = section.choice("truth", {{"finer", "same_mesh", "exact"}, "truth", "truths"});
+  const auto truth = section.choice("truth", {{"finer", "same_mesh", "exact", "same_modes"}, "truth", "truths"});
   if (truth == "exact" && !context.has_exact) {
     section.error("truth", "there is no exact truth: [truth] has no key 'exact', which names a closed form");
   }
+  const bool is_reduced = !check.method.empty() && check.method != full_order && check.method != "full";
+  if (truth == "same_modes" && !(is_reduced && !check.integrator.empty() && check.integrator != "exact"))
+    section.error("truth", "truth same_modes is the closed form of modes that are stepped otherwise",
+                  "'method' takes modes of the mesh, 'integrator' steps them and is not exact");
   if (!metric || !truth) return false;
   check.metric = *metric;
   check.truth = *truth;

@@ -198,7 +198,7 @@ struct ReferenceFrequencies {
 // of it, or those whose first cell is `row`.
 struct Check {
   std::string table, column, row;     // "" where the check is of runs
-  std::string method, metric, truth;  // truth: "finer", "same_mesh" or "exact"
+  std::string method, metric, truth;  // truth: a TruthKind, by name
   int modes;                          // 0 for methods that take no mode count
   std::optional<double> at_most, at_least;
   std::string why;

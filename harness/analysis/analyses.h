@@ -6,7 +6,7 @@
 //                             dt measured | measured / formula | omega deciding
 //   step-limit-runs           system | modes r | scheme | integrator | dt / limit | dt | steps | growth by theory |
 //                             growth observed | difference of logarithms | verdict
-//   step-limit-summary        system | runs | confirmed | not confirmed | too short to tell
+//   step-limit-summary        system and scheme | runs | confirmed | not confirmed | too short to tell
 //   step-limit-exponents      claim | scheme | limits fitted | exponent | standard error | claimed | verdict
 //   stability-map             integrator | modes r | system | dt | dt / limit | spectral radius | energy | error |
 //                             found | limit | verdict

@@ -138,8 +138,8 @@ TEST_F(AnalysesCases, StepLimitsAreThoseOfTheory) {
     EXPECT_EQ(row.text("verdict"), "confirmed") << row.text("system") << row.text("scheme");
   double runs = 0;
   for (const Row& row : rows("step-limit-summary")) {
-    EXPECT_EQ(row.number("confirmed"), row.number("runs")) << row.text("system");
-    EXPECT_EQ(row.number("not confirmed"), 0) << row.text("system");
+    EXPECT_EQ(row.number("confirmed"), row.number("runs")) << row.text("system and scheme");
+    EXPECT_EQ(row.number("not confirmed"), 0) << row.text("system and scheme");
     runs += row.number("runs");
   }
   EXPECT_EQ(runs, static_cast<double>(rows("step-limit-runs").size()));

@@ -1,6 +1,7 @@
 // What contact is in a case: its layer, the polynomials and samples that carry it, where the time goes, its forces.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/contact_tables.h"
@@ -11,12 +12,25 @@ namespace mb {
 namespace {
 
 constexpr int n_mode_counts = 3;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Finding force_table() {
-  return table("contact", "force-history", "Contact force over time",
-               "Along the direction of the truth's largest force, at the samples of the study around the first touch; "
-               "the modal answers with the least step of the study.",
-               {{"contender", ""}, {"modes r", ""}, {"time", "s"}, {"normal force", "N"}});
+  return table(
+      "contact", "force-history", "Contact force over time",
+      "Along the direction of the truth's largest force, at the samples of the study around the first touch; "
+      "the modal answers with the least step of the study. Bars of the truth: at that time, its distance to its "
+      "coarser mesh and between two tolerances.",
+      {{"contender", ""}, {"modes r", ""}, {"time", "s"}, {"normal force", "N"}});
+}
+
+// [N] How far the truth's force in that direction may be off, at each of its times.
+VectorXd bar_along(const TruthSet& truth, const Vector3d& along) {
+  const auto force = [&](const Trajectory& one) {
+    return VectorXd(one.bodies.front().contact.force.transpose() * along);
+  };
+  if (truth.exact) return truth.exact_bar * force(*truth.exact).cwiseAbs();
+  return (force(truth.finer) - force(truth.coarser)).cwiseAbs() +
+         (force(truth.same_mesh) - force(truth.loose)).cwiseAbs();
 }
 
 }  // namespace
@@ -32,20 +46,23 @@ Finding force_history(const std::vector<ContactBasis>& bases, const AnalysisCont
   const Vector3d along = contact.force.col(peak).normalized();
   const Touch first = first_contact(contact.touches, contact.touches)->whole;
   const double length = std::isfinite(first.end) ? first.end - first.start : scene.duration - first.start;
-  const auto add = [&](const std::string& name, FindingCell r, const Trajectory& answer) {
+  const VectorXd truth_bar = bar_along(context.truth, along);
+  const auto add = [&](const std::string& name, FindingCell r, const Trajectory& answer, const VectorXd& bar) {
     if (answer.status != Status::ok) return;
     for (Index k = 0; k < answer.t.size(); ++k) {
       if (answer.t[k] < first.start - 0.2 * length || answer.t[k] > first.start + 1.5 * length) continue;
       found.rows.push_back({name, r, answer.t[k], along.dot(answer.bodies.front().contact.force.col(k))});
+      found.bars.push_back({nan, nan, nan, bar[k]});
     }
   };
-  add(exact ? "truth, exact" : "truth, finer", not_applicable(), truth);
+  add(exact ? "truth, exact" : "truth, finer", not_applicable(), truth, truth_bar);
+  const VectorXd none = VectorXd::Constant(truth.t.size(), nan);
   Settings settings;
   settings.time_step = std::ranges::min(scene.study.contact_steps);
   for (const auto& [of, prepared_bases] : bases) {
     const auto prepared = prepare_floating(prepared_bases, context.catalogue.integrator("exact"), settings);
     add(of.method, count(prepared_bases->front().body.n_modes()),
-        prepared->simulate({.t = sample_times(scene), .strain = false, .reconstruct = false}));
+        prepared->simulate({.t = sample_times(scene), .strain = false, .reconstruct = false}), none);
   }
   return found;
 }

@@ -3,9 +3,10 @@
 //   q'' + c q' + Lambda q + kappa g g^T q = 0,   g = Phi^T U(X)^T n,   kappa = k_n pi a^2
 //
 // by each of the schemes of modal/contact/contact_step.h; of two bodies the modes of both, g with opposite signs. Where
-// the spectral radius of the step passes 1, contact feeds energy: symplectic Euler beyond one step, at about 2/omega of
-// the stiffened modes, average acceleration nowhere (mechanics/system/one_step.h). Kicks between closed forms do so in
-// windows, too, about the steps at which two of them come round together, h (omega_i + omega_j) = 2 pi k.
+// the spectral radius of the step passes 1, contact feeds energy: symplectic Euler and central differences beyond one
+// step, at about 2/omega of the stiffened modes, explicit Euler beyond what damping takes away, without damping at
+// once, average acceleration nowhere (mechanics/system/one_step.h). Kicks between closed forms do so in windows, too,
+// about the steps at which two of them come round together, h (omega_i + omega_j) = 2 pi k.
 //
 // Within that limit, too, energy is gained where the layer opens within a step: the trapezoidal rule takes its work
 // kappa delta^2/2 for kappa delta Delta/2, Delta the way of the step, at most kappa Delta^2/8 too much.
@@ -24,12 +25,14 @@ struct PressedModes {
   double kappa;        // [N/m] > 0
 };
 
-// scheme: "exact", "symplectic-euler" or "newmark"; else std::invalid_argument. h [s] > 0.
+// scheme: "exact", "symplectic-euler", "central-difference", "explicit-euler" or "newmark"; else std::invalid_argument.
+// h [s] > 0.
 double pressed_radius(const PressedModes& pressed, const std::string& scheme, double h);
 
 // The least step [s] at which that is above 1 by more than 1e-6, to a thousandth of it; infinity: none up to `most` [s]
 // from 1e-4 of it on. Kicks are tried at steps 3 % apart and at resonances(), so that a window is missed only where it
-// is narrower than that and first order in the layer puts it elsewhere; the others, which know no windows, 15 % apart.
+// is narrower than that and first order in the layer puts it elsewhere; average acceleration, which knows no windows,
+// 15 % apart. Of the explicit schemes it is in closed form, stable_step() of one_step.h: 0 where no step is stable.
 double pressed_limit(const PressedModes& pressed, const std::string& scheme, double most);
 
 // The most that is gained where the layer opens, of m v^2/2, by each of the schemes, and the step [s] at which that is

@@ -8,15 +8,14 @@
 #include <optional>
 #include <stdexcept>
 
-#include "cases/contract/touchdown.h"
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/contact_stability.h"
 #include "harness/analysis/contact_tables.h"
 #include "harness/analysis/contact_variants.h"
+#include "harness/analysis/encounter.h"
 #include "harness/analysis/first_impact.h"
 #include "harness/analysis/power_law.h"
 #include "harness/analysis/stability_grid.h"
-#include "mechanics/geometry/shape.h"
 
 namespace mb {
 
@@ -27,7 +26,8 @@ constexpr int steps = 12;                              // from two durations of 
 constexpr int most_modes = 24;
 constexpr double grown = 1.1;   // [-] of the energy of the approach
 constexpr double samples = 64;  // [-] to the contact's duration
-constexpr const char* steppers[] = {"exact", "symplectic-euler", "newmark"};
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* steppers[] = {"exact", "symplectic-euler", "central-difference", "explicit-euler", "newmark"};
 
 Finding map_table() {
   return table(
@@ -36,13 +36,14 @@ Finding map_table() {
       "rests, as fast as its weight alone would have it fall. Energy: 1, and what is gained by the impact over the "
       "kinetic energy along the normal. Unstable: it is more than 1.1, or a step has no solution or throws bodies to "
       "where nothing is known of their contact. Inaccurate: bounded, and peak "
-      "force or impulse more than 5 % off those of kicks at half the least step. Spectral radius: of one "
+      "force or impulse more than 5 % off those of kicks at a quarter of the least step. Spectral radius: of one "
       "step linearised about the height of the impact, the layer pressed at one point as hard as over the "
       "contact's whole area; limit: the step where it passes 1, of average acceleration none. Growth over one contact "
       "that would not show is called too short to be seen; where steps leave neither force nor impulse, the touch is "
       "missed. Where the layer opens within a step energy is gained, too, of a rigid mass at most g/(1 - g), g = kappa "
       "h^2/(4 m), by each of the schemes: opening limit, the step where that is a tenth. What is beyond this limit "
-      "alone may gain energy or not: may gain.",
+      "alone may gain energy or not: may gain. Bars of errors: how far half of the least step moved what they are held "
+      "against.",
       {{"integrator", ""},
        {"stiffness factor", "-"},
        {"dt", "s"},
@@ -79,13 +80,6 @@ Finding summary_table() {
        {"standard error", "-"}});
 }
 
-// The touch as seen in the world.
-struct Encounter {
-  Meeting meeting;
-  Vector3d normal;  // [-] of what is met, towards the body
-  double mass;      // [kg] of both bodies, the reduced one
-};
-
 struct VariedLayer {
   Encounter encounter;
   double factor;
@@ -93,65 +87,14 @@ struct VariedLayer {
   Scene scene;
   std::shared_ptr<const FloatingBases> bases;
   FirstImpact reference;
+  // [-] How far that may be off in peak and impulse: by halving the least step once more, of order one or more.
+  double bar_of_peak = 0, bar_of_impulse = 0;
 };
-
-double mass_of(const Body& body) { return body.material.density * volume(body.shape); }
-
-Encounter first_encounter(const Scene& scene) {
-  const Body& body = scene.bodies.front();
-  const Touchdown down = touchdown(scene, body);
-  const auto met = std::ranges::min_element(down.meetings, {}, &Meeting::t);
-  if (met == down.meetings.end() || !std::isfinite(met->t))
-    throw std::invalid_argument("contact-stability: the first body meets nothing");
-  const Vector3d flown = met->t * body.twist.velocity + met->t * met->t / 2 * scene.gravity;
-  const Body* partner = partner_of(scene, scene.contacts.at(met->contact));
-  const bool yields = partner && !is_held(*partner);
-  const double share = yields ? mass_of(*partner) / (mass_of(body) + mass_of(*partner)) : 1;
-  return {*met, gap(surface_met(scene, body, *met), body.pose.to_world(met->X) + flown).normal, share * mass_of(body)};
-}
-
-// What a touch at X of a body sees of its modes: the first r elastic ones and the rigid ones, all of them in g.
-PressedModes modes_at(const ContactVariants& variants, size_t place, const Vector3d& X, const Vector3d& normal, int r) {
-  const Model& model = variants.body().scene_model;
-  const FullModel& full = *model.bodies[place].full;
-  const Modes kept = leading(variants.modes(place), r);
-  VectorXd c(kept.size());
-  for (Index i = 0; i < c.size(); ++i)
-    c[i] = i < kept.n_rigid ? 0 : kept.Phi.col(i).dot(apply_damping(full.system(), VectorXd(kept.Phi.col(i))));
-  const Vector3d n = model.scene->bodies[place].pose.orientation.conjugate() * normal;
-  const MatrixXd at = full.displacement_at(Matrix3Xd(X)) * kept.Phi;
-  return {kept.omega.cwiseAbs2(), c, at.transpose() * n, 0};
-}
-
-VectorXd joined(const VectorXd& a, const VectorXd& b) { return (VectorXd(a.size() + b.size()) << a, b).finished(); }
-
-PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, double factor) {
-  const Scene& scene = *variants.body().scene_model.scene;
-  const auto& [meeting, normal, mass] = encounter;
-  PressedModes all = modes_at(variants, 0, meeting.X, normal, r);
-  if (const Body* partner = partner_of(scene, scene.contacts.at(meeting.contact))) {
-    const auto place = static_cast<size_t>(partner - scene.bodies.data());
-    const PressedModes other = modes_at(variants, place, meeting.Y, -normal, r);
-    all = {joined(all.lambda, other.lambda), joined(all.c, other.c), joined(all.g, other.g), 0};
-  }
-  const double a = meeting.size.radius;
-  all.kappa = factor * meeting.size.stiffness * pi * a * a;
-  return all;
-}
-
-// What is slower than its weight alone would have it be, at rest above all, is thrown at that.
-void throw_at_least(Scene& scene, const Encounter& encounter, double flight) {
-  Body& body = scene.bodies.front();
-  const double missing = encounter.meeting.size.speed + body.twist.velocity.dot(encounter.normal);
-  if (!(missing > 1e-6 * encounter.meeting.size.speed)) return;
-  body.twist.velocity -= missing * encounter.normal;
-  body.pose.position += flight * missing * encounter.normal;
-}
 
 struct Cell {
   double dt, radius;
   double energy = std::numeric_limits<double>::infinity();
-  double of_peak = std::numeric_limits<double>::quiet_NaN(), of_impulse = of_peak;
+  double of_peak = nan, of_impulse = nan;
   StepClass found = StepClass::unstable;
   std::string verdict = {};
 };
@@ -212,7 +155,7 @@ Cell cell(const VariedLayer& layer, const Integrator& scheme, double dt) {
 
 struct Summary {
   std::map<std::string, double> cells;  // by class, and by verdict
-  double last_error = 0;                // at the least step
+  double last_error = 0, last_bar = 0;  // at the least step, of the layer where they are largest together
   double unstable_from = std::numeric_limits<double>::infinity();
   std::vector<double> dt, own_error;  // of the scene's own layer
 
@@ -226,6 +169,10 @@ struct Summary {
     if (!(error(one) > 1e-9 && error(one) < 0.1)) return;
     dt.push_back(one.dt);
     own_error.push_back(error(one));
+  }
+  void keep_last(const Cell& one, const VariedLayer& layer) {
+    const double bar = std::max(layer.bar_of_peak, layer.bar_of_impulse);
+    if (error(one) + bar > last_error + last_bar) last_error = error(one), last_bar = bar;
   }
   std::vector<FindingCell> row(const std::string& integrator) const {
     const auto n = static_cast<Index>(dt.size());
@@ -262,6 +209,11 @@ std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const Con
     layer.bases = variants.bases(layer.scene, finest);
     const Trajectory reference = variants.simulate(layer.scene, finest);
     layer.reference = first_impact(reference, reference);
+    ContactContender coarser = finest;
+    coarser.time_step *= 2;
+    const FirstImpact beside = first_impact(variants.simulate(layer.scene, coarser), reference);
+    layer.bar_of_peak = std::abs(beside.peak / layer.reference.peak - 1);
+    layer.bar_of_impulse = std::abs(beside.impulse / layer.reference.impulse - 1);
     all.push_back(std::move(layer));
   }
   return all;
@@ -285,12 +237,16 @@ std::vector<Finding> contact_stability(const AnalysisContext& context) {
         const Cell one = cell(layer, integrator, dt);
         sum.add(one, opening);
         if (layer.factor == 1) sum.keep_error(one);
-        if (i == steps - 1) sum.last_error = std::max(sum.last_error, error(one));
+        if (i == steps - 1) sum.keep_last(one, layer);
         map.rows.push_back({scheme, layer.factor, dt, dt / limit, one.radius, one.energy, one.of_peak, one.of_impulse,
                             to_string(one.found), limit, opening, one.verdict});
+        map.bars.push_back(std::vector(map.columns.size(), nan));
+        map.bars.back()[6] = layer.bar_of_peak, map.bars.back()[7] = layer.bar_of_impulse;
       }
     }
     summary.rows.push_back(sum.row(scheme));
+    summary.bars.push_back(std::vector(summary.columns.size(), nan));
+    summary.bars.back()[10] = sum.last_bar;
   }
   return {map, summary};
 }

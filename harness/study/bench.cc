@@ -57,6 +57,14 @@ ReadyContender Bench::prepare(const Contender& contender) {
   return ready;
 }
 
+std::unique_ptr<Prepared> Bench::closed_form(const Contender& contender, const ReadyContender& ready) const {
+  const bool has_steps = ready.reduction && contender.integrator != "exact" && contender.method != "full";
+  if (!has_steps || ready.reduction->in_contact) return nullptr;
+  Settings settings = contender.settings;
+  settings.load_tolerance = scene_->study.load_tolerance;
+  return prepare_linear(ready.reduction, catalogue_.integrator("exact"), settings, scene_->duration);
+}
+
 std::vector<Record> Bench::times(const Grader& grader, const Record& base, const ReadyContender& ready,
                                  double repeat_below) const {
   std::vector<Record> records;

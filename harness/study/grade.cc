@@ -15,6 +15,12 @@ std::vector<TruthKind> known_truths(const TruthSet& truth) {
   return {TruthKind::finer, TruthKind::same_mesh};
 }
 
+std::vector<bool> finite_bodies(const Trajectory& answer, size_t n) {
+  std::vector<bool> finite;
+  for (size_t b = 0; b < n; ++b) finite.push_back(is_finite(answer, static_cast<Index>(b)));
+  return finite;
+}
+
 }  // namespace
 
 Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free,
@@ -33,8 +39,7 @@ Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free
       }
     }
   for (const TruthKind kind : known_truths(truth_))
-    for (Index b = 0; b < static_cast<Index>(points_.size()); ++b)
-      finite_truths_[kind].push_back(is_finite(truth_.of(kind), b));
+    finite_truths_[kind] = finite_bodies(truth_.of(kind), points_.size());
   for (size_t i = 0; i < subjects_.size(); ++i)
     for (const TruthKind kind : known_truths(truth_))
       if (!subjects_[i].metric.of_answer_alone && (kind == TruthKind::finer || !subjects_[i].metric.of_truth_alone))
@@ -60,22 +65,26 @@ Record Grader::blank(const Record& base, const Subject& subject, TruthKind kind)
   return record;
 }
 
+Record Grader::marked(const Record& base, const Subject& subject, TruthKind kind, const Trajectory& answer,
+                      const Trajectory& truth, const std::array<std::vector<bool>, 2>& finite) const {
+  const auto body = static_cast<size_t>(subject.context.body);
+  const Mark mark = mb::mark(subject.metric, answer, truth, subject.context, {finite[0][body], finite[1][body]});
+  Record record = blank(base, subject, kind);
+  record.value = mark.value;
+  record.status = mark.status;
+  record.work = answer.work;
+  return record;
+}
+
 std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) const {
   std::vector<Record> records;
-  std::vector<bool> finite;  // one a body
-  for (Index b = 0; b < static_cast<Index>(points_.size()); ++b) finite.push_back(is_finite(answer, b));
+  const std::vector<bool> finite = finite_bodies(answer, points_.size());
   for (const TruthKind kind : kinds(base))
     for (size_t i = 0; i < subjects_.size(); ++i) {
       const Subject& subject = subjects_[i];
       if (subject.metric.of_truth_alone) continue;
       if (subject.metric.of_answer_alone && kind != TruthKind::finer) continue;
-      const auto body = static_cast<size_t>(subject.context.body);
-      const Mark mark = mb::mark(subject.metric, answer, truth_.of(kind), subject.context,
-                                 {finite[body], finite_truths_.at(kind)[body]});
-      Record record = blank(base, subject, kind);
-      record.value = mark.value;
-      record.status = mark.status;
-      record.work = answer.work;
+      Record record = marked(base, subject, kind, answer, truth_.of(kind), {finite, finite_truths_.at(kind)});
       if (const auto bar = bars_.find({i, kind}); bar != bars_.end()) {
         if (std::isfinite(bar->second))
           record.error_bar = bar->second;
@@ -84,6 +93,20 @@ std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) 
       }
       records.push_back(std::move(record));
     }
+  return records;
+}
+
+std::vector<Record> Grader::marks_of_steps(const Record& base, const Trajectory& answer, const Trajectory& closed_form,
+                                           double load_error) const {
+  std::vector<Record> records;
+  const std::array finite{finite_bodies(answer, points_.size()), finite_bodies(closed_form, points_.size())};
+  for (const Subject& subject : subjects_) {
+    if (subject.metric.of_truth_alone || subject.metric.of_answer_alone) continue;
+    Record record = marked(base, subject, TruthKind::same_modes, answer, closed_form, finite);
+    const double bar = load_error * truth_size(subject.metric, closed_form, subject.context);
+    if (std::isfinite(bar)) record.error_bar = bar;
+    records.push_back(std::move(record));
+  }
   return records;
 }
 

@@ -1,6 +1,7 @@
 // Marks of stored trajectories: every metric that applies, against every truth that applies, as records.
 #pragma once
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -19,6 +20,11 @@ class Grader {
 
   // base: run, contender, modes_used, n_unknowns. Full-order rivals on other meshes are marked against `finer` alone.
   std::vector<Record> marks(const Record& base, const Trajectory& answer) const;
+  // Of modes that were stepped, against the closed form of the same modes: what their steps alone make wrong.
+  // load_error
+  // [-]: of that closed form, the bar of metrics relative to the whole.
+  std::vector<Record> marks_of_steps(const Record& base, const Trajectory& answer, const Trajectory& closed_form,
+                                     double load_error) const;
   // [-] Energy that nothing brought to the contacts (contact_metrics.h); NaN of scenes without.
   double energy_fed(const Trajectory& answer) const;
   // One record per metric that describes the truth itself.
@@ -35,6 +41,8 @@ class Grader {
     std::string name;
   };
   Record blank(const Record& base, const Subject& subject, TruthKind kind) const;
+  Record marked(const Record& base, const Subject& subject, TruthKind kind, const Trajectory& answer,
+                const Trajectory& truth, const std::array<std::vector<bool>, 2>& finite) const;  // answer's, truth's
   std::vector<TruthKind> kinds(const Record& base) const;
 
   const Scene& scene_;

@@ -64,6 +64,29 @@ TEST_F(HardScenes, WithoutContactAreSteppedByEveryIntegratorInModes) {
   }
 }
 
+// Against the truth of the mesh what is cut would hide what steps make wrong.
+TEST_F(HardScenes, EveryStepOfModesIsHeldToTheirClosedFormOrToItsEnd) {
+  for (const Scene& scene : all_) {
+    for (const Stepping& stepping : scene.study.steppings)
+      for (const std::string& method : stepping.methods) {
+        if (method == "full") continue;
+        for (const int r : stepping.modes) {
+          std::vector<std::optional<double>> steps(stepping.time_steps.begin(), stepping.time_steps.end());
+          if (steps.empty()) steps.emplace_back();
+          for (const auto& step : steps)
+            EXPECT_TRUE(std::ranges::any_of(scene.checks,
+                                            [&](const Check& check) {
+                                              return check.method == method && check.modes == r &&
+                                                     check.integrator == stepping.integrator &&
+                                                     check.time_step == step &&
+                                                     (check.status == "unstable" || check.truth == "same_modes");
+                                            }))
+                << scene.name << " " << method << " " << stepping.integrator << " r=" << r << " " << step.value_or(0);
+        }
+      }
+  }
+}
+
 TEST_F(HardScenes, AreSteppedInFullOrderBelowAndPastTheLimit) {
   for (const Scene& scene : all_) {
     bool implicit = false, past = false;

@@ -11,6 +11,8 @@ namespace mb {
 std::optional<ContactScheme> contact_scheme(const std::string& integrator) {
   if (integrator == "exact") return ContactScheme::exact;
   if (integrator == "symplectic-euler") return ContactScheme::symplectic_euler;
+  if (integrator == "central-difference") return ContactScheme::central_difference;
+  if (integrator == "explicit-euler") return ContactScheme::explicit_euler;
   if (integrator == "newmark") return ContactScheme::newmark;
   return std::nullopt;
 }
@@ -127,6 +129,18 @@ void ContactStepper::OfBody::drift(BodyState& b, double h) const {
   b.q = next;
 }
 
+void ContactStepper::OfBody::kick_freely(BodyState& b, double tau, double damped) const {
+  b.p.array() += tau * (body->weight.array() - lambda.array() * b.q.array() - damped * c.array() * b.p.array());
+  if (body->free) b.v += tau * body->gravity;
+}
+
+void ContactStepper::OfBody::move(BodyState& b, double tau) const {
+  b.q.noalias() += tau * b.p;
+  if (!body->free) return;
+  b.c += tau * b.v;
+  turn(b, tau);
+}
+
 bool ContactStepper::advance_exactly(std::span<ContactState> states) {
   for (size_t i = 0; i < states.size(); ++i) {
     bodies_[i].kick(states[i], h_ / 2);
@@ -139,17 +153,40 @@ bool ContactStepper::advance_exactly(std::span<ContactState> states) {
 
 bool ContactStepper::advance_by_euler(std::span<ContactState> states) {
   for (size_t i = 0; i < states.size(); ++i) {
-    const OfBody& of = bodies_[i];
-    BodyState& b = states[i].body;
-    b.p.array() += h_ * (of.body->weight.array() - of.c.array() * b.p.array() - of.lambda.array() * b.q.array());
-    of.kick(states[i], h_);
-    b.q.noalias() += h_ * b.p;
-    if (!of.body->free) continue;
-    b.v += h_ * of.body->gravity;
-    b.c += h_ * b.v;
-    of.turn(b, h_);
+    bodies_[i].kick_freely(states[i].body, h_, 1);
+    bodies_[i].kick(states[i], h_);
+    bodies_[i].move(states[i].body, h_);
   }
   look_ahead(states);
+  return converged(states);
+}
+
+bool ContactStepper::advance_by_explicit_euler(std::span<ContactState> states) {
+  for (size_t i = 0; i < states.size(); ++i) {
+    BodyState moved = states[i].body;
+    bodies_[i].move(moved, h_);
+    bodies_[i].kick_freely(states[i].body, h_, 1);
+    bodies_[i].kick(states[i], h_);
+    BodyState& b = states[i].body;
+    b.q = moved.q, b.c = moved.c, b.Q = moved.Q;
+  }
+  look_ahead(states);
+  return converged(states);
+}
+
+bool ContactStepper::advance_by_central_differences(std::span<ContactState> states) {
+  for (size_t i = 0; i < states.size(); ++i) {
+    bodies_[i].kick_freely(states[i].body, h_ / 2, 1);
+    bodies_[i].kick(states[i], h_ / 2);
+    bodies_[i].move(states[i].body, h_);
+  }
+  look_ahead(states);
+  for (size_t i = 0; i < states.size(); ++i) {
+    BodyState& b = states[i].body;
+    bodies_[i].kick_freely(b, h_ / 2, 0);
+    bodies_[i].kick(states[i], h_ / 2);
+    b.p.array() /= 1 + h_ / 2 * bodies_[i].c.array();
+  }
   return converged(states);
 }
 
@@ -160,6 +197,10 @@ bool ContactStepper::advance(std::span<ContactState> states) {
       return advance_exactly(states);
     case ContactScheme::symplectic_euler:
       return advance_by_euler(states);
+    case ContactScheme::central_difference:
+      return advance_by_central_differences(states);
+    case ContactScheme::explicit_euler:
+      return advance_by_explicit_euler(states);
     case ContactScheme::newmark:
       return advance_by_newmark(states);
   }

@@ -5,6 +5,9 @@
 //                      Integration, XIII.1), symplectic, order 2; one evaluation of contact a step. With damping or
 //                      friction in contact order 1: its force takes the rates before the second kick
 //   symplectic-euler   rates with the forces at the start, then places with these rates: order 1, explicit
+//   central-difference kick h/2 by all forces, places with these rates, kick h/2 by the forces there, the damping of
+//                      modes implicit: order 2, explicit; one evaluation of contact a step
+//   explicit-euler     places and rates with those at the start: order 1, feeds energy without damping
 //   newmark            average acceleration of frame and modes, contact at the end implicit: order 2
 //
 // Angular momentum is kept exactly but for the torques; the frame turns by the angular velocity half way, order 2. Of a
@@ -21,7 +24,7 @@
 
 namespace mb {
 
-enum class ContactScheme { exact, symplectic_euler, newmark };
+enum class ContactScheme { exact, symplectic_euler, central_difference, explicit_euler, newmark };
 std::optional<ContactScheme> contact_scheme(const std::string& integrator);  // by its name in the catalogue
 
 // A state with what contact does in it, and what it has done since t = 0 by the scheme's own quadrature.
@@ -56,6 +59,9 @@ class ContactStepper {
     void kick(ContactState& state, double tau) const;  // by the contact forces alone
     void drift(BodyState& b, double h) const;          // over h, without contact
     void turn(BodyState& b, double tau) const;
+    void move(BodyState& b, double tau) const;  // places alone, with the rates as they are
+    // By stiffness, weight and `damped` times [-] the damping, not by contact.
+    void kick_freely(BodyState& b, double tau, double damped) const;
 
     const FloatingBody* body;
     std::optional<CoupledFlow> coupled;
@@ -68,6 +74,8 @@ class ContactStepper {
   void look_ahead(std::span<ContactState> states);  // static shapes sought from where the last two steps point to
   bool advance_exactly(std::span<ContactState> states);
   bool advance_by_euler(std::span<ContactState> states);
+  bool advance_by_explicit_euler(std::span<ContactState> states);
+  bool advance_by_central_differences(std::span<ContactState> states);
   bool advance_by_newmark(std::span<ContactState> states);
 
   ContactScheme scheme_;

@@ -73,7 +73,8 @@ TEST(CoupledImpact, MovesBetweenStepsByItsVelocities) {
 }
 
 TEST(CoupledImpact, HasStepsOfOneSchemeOnly) {
-  for (const ContactScheme scheme : {ContactScheme::newmark, ContactScheme::symplectic_euler}) {
+  for (const ContactScheme scheme : {ContactScheme::newmark, ContactScheme::symplectic_euler,
+                                     ContactScheme::central_difference, ContactScheme::explicit_euler}) {
     ImpactPlan plan = corner_first(1e-4, true);
     plan.scheme = scheme;
     EXPECT_THROW(impact_motion(plan, VectorXd::Zero(1)), std::invalid_argument);

@@ -1,0 +1,28 @@
+// The touch that the maps of steps in contact are about: where the first body meets what it meets first, and what that
+// place sees of the modes of both.
+#pragma once
+
+#include "cases/contract/touchdown.h"
+#include "harness/analysis/contact_stability.h"
+#include "harness/analysis/contact_variants.h"
+
+namespace mb {
+
+// As seen in the world.
+struct Encounter {
+  Meeting meeting;
+  Vector3d normal;  // [-] of what is met, towards the body
+  double mass;      // [kg] of both bodies, the reduced one
+};
+
+// Throws std::invalid_argument where the first body meets nothing.
+Encounter first_encounter(const Scene& scene);
+
+// The first r elastic modes of both bodies and their rigid ones, the layer `factor` times as stiff as the scene's.
+PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, double factor);
+
+// What is slower than its weight alone would have it be, at rest above all, is thrown at that, `flight` [s] before it
+// touches.
+void throw_at_least(Scene& scene, const Encounter& encounter, double flight);
+
+}  // namespace mb
