@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/study/plan.h"
+
 namespace mb {
 
 namespace {
@@ -58,8 +60,8 @@ ReadyContender Bench::prepare(const Contender& contender) {
 }
 
 std::unique_ptr<Prepared> Bench::closed_form(const Contender& contender, const ReadyContender& ready) const {
-  const bool has_steps = ready.reduction && contender.integrator != "exact" && contender.method != "full";
-  if (!has_steps || ready.reduction->in_contact) return nullptr;
+  const bool is_reduced = ready.reduction && !is_full_order(contender) && contender.method != "full";
+  if (!is_reduced || contender.integrator == "exact" || ready.reduction->in_contact) return nullptr;
   Settings settings = contender.settings;
   settings.load_tolerance = scene_->study.load_tolerance;
   return prepare_linear(ready.reduction, catalogue_.integrator("exact"), settings, scene_->duration);

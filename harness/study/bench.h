@@ -34,8 +34,8 @@ class Bench {
   // took is charged to each.
   ReadyContender prepare(const Contender& contender);
 
-  // The closed form of the modes that a contender steps; none of what is not stepped, is in contact, or is `full`,
-  // whose modes are the mesh's own.
+  // The closed form of the modes that a contender steps; none of what is in contact, of full order and of `full`, whose
+  // modes are the mesh's own.
   std::unique_ptr<Prepared> closed_form(const Contender& contender, const ReadyContender& ready) const;
 
   // Records of the times of one contender (metrics `online-time`, `stepping-time`, `offline-time`, `assembly-time`).
