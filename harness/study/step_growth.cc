@@ -26,14 +26,15 @@ double mesh_radius(const System& system, const Scheme& scheme, double h) {
 
 double radius(const System& system, const std::string& integrator, double h) {
   const Scheme* scheme = scheme_of(integrator, system);
-  if (!scheme || system.stored_energy) return nan;
+  if (!scheme) return nan;
   return is_in_modes(system) ? step_radius(stepped_modes(system), *scheme, h) : mesh_radius(system, *scheme, h);
 }
 
 }  // namespace
 
 double predicted_growth(const Reduction& reduction, const std::string& integrator, double h, double duration) {
-  if (reduction.in_contact) return nan;
+  const bool in_frames = reduction.in_contact && reduction.modes_used >= 0;
+  if (in_frames) return nan;
   double largest = 0;
   for (const LinearBody& body : reduction.bodies) {
     const double rho = radius(body.system, integrator, h);

@@ -3,16 +3,18 @@
 //   growth = rho^n,   n = duration / h,   rho the spectral radius of one step (stability.h, one_step.h)
 //
 // rho over all modes of a reduced body, those that damping couples together; of a mesh that of its highest mode, which
-// no other exceeds but where explicit Euler meets damping of the stiffness: a lower bound. Above 1 the step is past its
-// limit; how far the run shows it depends on n.
+// no other exceeds but where explicit Euler meets damping of the stiffness: a lower bound. Of finite deformation it is
+// that about rest, in contact that without: what grows there may stay bounded where the body stiffens, and is no motion
+// of its own all the same.
+// Above 1 the step is past its limit; how far the run shows it depends on n.
 #pragma once
 
 #include "cases/contract/linear.h"
 
 namespace mb {
 
-// [-] Largest over the bodies; NaN where nothing is known: contact, frames that turn, schemes without a matrix, a mesh
-// whose highest mode damping couples to others. h and duration [s] > 0.
+// [-] Largest over the bodies; NaN where nothing is known: modes in frames that turn or touch, schemes without a
+// matrix, a mesh whose highest mode damping couples to others. h and duration [s] > 0.
 double predicted_growth(const Reduction& reduction, const std::string& integrator, double h, double duration);
 
 }  // namespace mb

@@ -90,8 +90,20 @@ TEST(StepGrowth, OfAMeshIsThatOfItsHighestMode) {
   }
 }
 
+// Of finite deformation, too, and in contact, whose growth may stay bounded in what it stiffens.
+TEST(StepGrowth, OfAMeshThatStretchesOrTouchesIsThatAboutRest) {
+  const System system = box({0, 1e-5});
+  const Reduction free = of({system});
+  Reduction full = of({system});
+  full.modes_used = -1;
+  full.in_contact = [](const Integrator&, const Settings&) { return std::unique_ptr<Prepared>(); };
+  for (const double h : {1e-4, 1e-2})
+    EXPECT_EQ(predicted_growth(full, "central-difference", h, 1), predicted_growth(free, "central-difference", h, 1));
+}
+
 TEST(StepGrowth, IsUnknownWhereNothingIsKnown) {
   Reduction touching = of({oscillators(omega, {})});
+  touching.modes_used = 3;
   touching.in_contact = [](const Integrator&, const Settings&) { return std::unique_ptr<Prepared>(); };
   EXPECT_TRUE(std::isnan(predicted_growth(touching, "symplectic-euler", 1, 10)));
   EXPECT_TRUE(std::isnan(predicted_growth(of({oscillators(omega, {})}), "sundials", 1, 10)));

@@ -13,7 +13,8 @@ namespace mb {
 
 namespace {
 
-constexpr double stage_tolerance = 1e-9;     // [-] of the speeds: far below the error of a step
+// [-] Of the speeds: what 1e-9 leaves of each step adds up to several times the error of a thousand of them.
+constexpr double stage_tolerance = 1e-12;
 constexpr double contact_tolerance = 1e-12;  // [-] likewise: linear momentum is handed over to this
 
 // [m/s] of the contacts and the start.
