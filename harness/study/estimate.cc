@@ -181,7 +181,7 @@ double of_answer(const Scene& scene) {
 }
 
 // What marks and tables are made of stands beside the answers: these in another frame, weighed, their spectra.
-constexpr double answers_of_marks = 4, answers_of_analyses = 12;  // [-] counted in answers: 3.5 and 11 were seen
+constexpr double answers_of_marks = 5, answers_of_analyses = 12;  // [-] in answers: 3.5, a closed form, and 11 were seen
 
 // The companion matrix of so many coupled modes, its Schur form, complex eigenvectors, these sorted and factorised.
 double of_coupled_modes(double n) { return 2 * 8 * 36 * std::pow(n, 2); }
