@@ -77,6 +77,7 @@ Vocabulary Catalogue::vocabulary() const {
     names.analyses.push_back(analysis.name);
     if (analysis.scenes == Analysis::Scenes::without_contact) names.analyses_of_loads.push_back(analysis.name);
     if (analysis.scenes == Analysis::Scenes::with_contact) names.analyses_of_contact.push_back(analysis.name);
+    if (analysis.single_modes) names.analyses_of_single_modes.push_back(analysis.name);
     if (analysis.theories) names.analyses_of_theories.push_back(analysis.name);
   }
   names.tables = analyses_of_tables();

@@ -27,6 +27,7 @@ inline Vocabulary vocabulary() {
           {"stability-map", "aliasing", "frequency-response", "probe-extremes", "damping", "slenderness",
            "damping-coupling", "long-run", "locking", "linearity", "aspect"},
           {"contact-stiffness", "contact", "flight-cost", "amplitude", "instructions", "contact-stability"},
+          {"step-limits"},
           {"contact-stiffness"},
           // Those that checks of the suite's cases name.
           {{"budget", "budget"},

@@ -134,6 +134,18 @@ void check_theories(const std::vector<Located<std::string>>& names, const std::v
   }
 }
 
+// Analyses look at the first body.
+void check_single_modes(const std::vector<Located<std::string>>& names, const std::vector<BodyDraft>& bodies,
+                        const Vocabulary& vocabulary, Findings& findings) {
+  if (bodies.empty() || bodies.front().dashpots.dashpots.empty()) return;
+  for (const auto& name : names)
+    if (std::ranges::count(vocabulary.analyses_of_single_modes, name.value) > 0)
+      findings.error(name.where,
+                     fmt::format("analysis '{}' is of modes one by one: the dashpot of body '{}' couples them",
+                                 name.value, bodies.front().name.value_or("")),
+                     "'stability-map' tells of all of them together");
+}
+
 std::vector<std::string> read_analyses(Section& section, const Vocabulary& vocabulary,
                                        const std::vector<BodyDraft>& bodies) {
   if (!section.has("analyses")) return {};
@@ -147,6 +159,7 @@ std::vector<std::string> read_analyses(Section& section, const Vocabulary& vocab
                                                          *contact ? "without" : "with"));
   }
   if (names) check_theories(*names, bodies, vocabulary, section.findings());
+  if (names) check_single_modes(*names, bodies, vocabulary, section.findings());
   return values_of(names);
 }
 

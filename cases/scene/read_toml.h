@@ -40,10 +40,11 @@ struct Vocabulary {
   std::vector<std::string> adaptive_integrators;   // of integrators: those that take a tolerance instead of a step
   std::vector<std::string> impact_integrators;     // of integrators: of full order in contact or of finite kinematics
   std::vector<std::string> analyses;
-  std::vector<std::string> analyses_of_loads = {};    // of analyses: those of scenes without contact
-  std::vector<std::string> analyses_of_contact = {};  // of analyses: those of scenes with it
-  std::vector<std::string> analyses_of_theories = {}; /* of analyses: those that take beam and plate theory */
-  std::map<std::string, std::string> tables = {};     // that checks may name: the analysis that makes each
+  std::vector<std::string> analyses_of_loads = {};         // of analyses: those of scenes without contact
+  std::vector<std::string> analyses_of_contact = {};       // of analyses: those of scenes with it
+  std::vector<std::string> analyses_of_single_modes = {};  // of analyses: not where a dashpot couples modes
+  std::vector<std::string> analyses_of_theories = {};      /* of analyses: those that take beam and plate theory */
+  std::map<std::string, std::string> tables = {};          // that checks may name: the analysis that makes each
 };
 
 // profile: "quick", "standard" or "full". Throws CaseErrors.

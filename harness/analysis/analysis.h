@@ -25,9 +25,10 @@ struct Analysis {
   // Tables with analysis, name, title, note, columns, rows; who calls adds run, case, profile and provenance.
   std::vector<Finding> (*run)(const AnalysisContext& context);
   enum class Scenes { any, without_contact, with_contact } scenes = Scenes::any;  // for which it is made
-  bool theories = false;  // whether bodies of beam and plate theory have it, too
-  bool of_truth = false;  // told again of the truth's neighbour, for error bars (harness/analysis/told.h)
-  bool timed = false;     // whether times are among its numbers: it runs alone
+  bool theories = false;      // whether bodies of beam and plate theory have it, too
+  bool of_truth = false;      // told again of the truth's neighbour, for error bars (harness/analysis/told.h)
+  bool timed = false;         // whether times are among its numbers: it runs alone
+  bool single_modes = false;  // of modes one by one: not where a dashpot couples them
 };
 
 // The visible list: budget, step-limits, aliasing, frequency-response, mode-amplitudes, damping, frequencies,

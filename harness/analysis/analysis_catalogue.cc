@@ -13,7 +13,8 @@ const std::vector<Analysis>& analysis_catalogue() {
        "which part of an answer's error is due to the step, to truncation, to the mesh, to contact on its surface and "
        "to finite strain",
        &error_budget, any, false, true},
-      {"step-limits", "largest stable steps of explicit schemes, by formula, by bisection and by runs", &step_limits},
+      {"step-limits", "largest stable steps of explicit schemes, by formula, by bisection and by runs", &step_limits,
+       any, false, false, false, true},
       {"stability-map",
        "which steps of every integrator are stable, inaccurate and unstable over mode count and step, beside what one "
        "step's amplification predicts",
