@@ -177,7 +177,9 @@ FiniteStage::Outcome FiniteStage::solve(double t, const VectorXd& b, const Vecto
     const double change = (next_ - v).lpNorm<Eigen::Infinity>();
     const bool measured = std::isfinite(before);
     if (measured) kept->rate = change / before;
-    const double left = kept->rate < 1 ? change * kept->rate / (1 - kept->rate) : change / rounding;
+    // The rate of an earlier stage may be far from this one's: what it foretells is not yet seen, the change itself is.
+    const double foretold = kept->rate < 1 ? change * kept->rate / (1 - kept->rate) : change / rounding;
+    const double left = measured ? foretold : std::max(change, foretold);
     if (left <= tolerance || change <= rounding * next_.lpNorm<Eigen::Infinity>()) {
       v = next_;
       outcome.converged = true;
