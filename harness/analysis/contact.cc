@@ -28,7 +28,10 @@ VectorXd bar_along(const TruthSet& truth, const Vector3d& along) {
   const auto force = [&](const Trajectory& one) {
     return VectorXd(one.bodies.front().contact.force.transpose() * along);
   };
-  if (truth.exact) return truth.exact_bar * force(*truth.exact).cwiseAbs();
+  if (truth.exact) {
+    const VectorXd exact = force(*truth.exact);
+    return VectorXd::Constant(exact.size(), truth.exact_bar * exact.cwiseAbs().maxCoeff());
+  }
   return (force(truth.finer) - force(truth.coarser)).cwiseAbs() +
          (force(truth.same_mesh) - force(truth.loose)).cwiseAbs();
 }

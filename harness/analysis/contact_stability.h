@@ -35,8 +35,8 @@ double pressed_radius(const PressedModes& pressed, const std::string& scheme, do
 // 15 % apart. Of the explicit schemes it is in closed form, stable_step() of one_step.h: 0 where no step is stable.
 double pressed_limit(const PressedModes& pressed, const std::string& scheme, double most);
 
-// The most that is gained where the layer opens, of m v^2/2, by each of the schemes, and the step [s] at which that is
-// `gain`:
+// The most that is gained where the layer opens, of m v^2/2, by each scheme but explicit Euler, and the step [s] at
+// which that is `gain`:
 //
 //   gain = g/(1 - g),   g = kappa h^2/(4 m)
 //

@@ -41,7 +41,7 @@ Finding map_table() {
       "contact's whole area; limit: the step where it passes 1, of average acceleration none. Growth over one contact "
       "that would not show is called too short to be seen; where steps leave neither force nor impulse, the touch is "
       "missed. Where the layer opens within a step energy is gained, too, of a rigid mass at most g/(1 - g), g = kappa "
-      "h^2/(4 m), by each of the schemes: opening limit, the step where that is a tenth. What is beyond this limit "
+      "h^2/(4 m), by each but explicit Euler: opening limit, the step where that is a tenth. What is beyond this limit "
       "alone may gain energy or not: may gain. Bars of errors: how far half of the least step moved what they are held "
       "against.",
       {{"integrator", ""},
@@ -171,7 +171,9 @@ struct Summary {
     own_error.push_back(error(one));
   }
   void keep_last(const Cell& one, const VariedLayer& layer) {
-    const double bar = std::max(layer.bar_of_peak, layer.bar_of_impulse);
+    const double both = layer.bar_of_peak + layer.bar_of_impulse;  // NaN where a reference lost the touch
+    const double bar =
+        std::isnan(both) ? std::numeric_limits<double>::infinity() : std::max(layer.bar_of_peak, layer.bar_of_impulse);
     if (error(one) + bar > last_error + last_bar) last_error = error(one), last_bar = bar;
   }
   std::vector<FindingCell> row(const std::string& integrator) const {

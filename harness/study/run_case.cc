@@ -195,13 +195,13 @@ class CaseRun {
   std::vector<Record> marks(const Grader& grader, const Record& record, const ReadyContender& ready) const {
     const Trajectory answer = ready.prepared->simulate({.t = sample_times(*scene_)});
     std::vector<Record> records = grader.marks(record, answer);
-    if (const auto closed_form = bench_.closed_form(record.contender, ready))
-      std::ranges::move(
-          grader.marks_of_steps(record, answer, closed_form->simulate({.t = answer.t}), closed_form->load_error()),
-          std::back_inserter(records));
     const Integrator& integrator = catalogue_.integrator(record.contender.integrator);
-    if (is_past_its_limit(records, integrator, growth(record.contender, ready), grader.energy_fed(answer)))
-      name_unstable(records);
+    const bool past =
+        is_past_its_limit(records, integrator, growth(record.contender, ready), grader.energy_fed(answer));
+    if (const auto closed = bench_.closed_form(record.contender, ready))
+      std::ranges::move(grader.marks_of_steps(record, answer, closed->simulate({.t = answer.t}), closed->load_error()),
+                        std::back_inserter(records));
+    if (past) name_unstable(records);
     if (is_answer(answer, records))
       store_.write_trajectory(record.run,
                               thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));

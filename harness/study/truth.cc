@@ -150,6 +150,7 @@ Model make_model(const std::shared_ptr<const Scene>& scene, const Resolution& re
 
 const Trajectory& TruthSet::of(TruthKind kind) const {
   if (kind == TruthKind::exact && !exact) throw std::logic_error("the case names no exact solution");
+  if (kind == TruthKind::same_modes) throw std::logic_error("the closed form of modes is no truth of the case");
   return kind == TruthKind::finer ? finer : kind == TruthKind::same_mesh ? same_mesh : *exact;
 }
 

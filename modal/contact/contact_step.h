@@ -6,7 +6,8 @@
 //                      friction in contact order 1: its force takes the rates before the second kick
 //   symplectic-euler   rates with the forces at the start, then places with these rates: order 1, explicit
 //   central-difference kick h/2 by all forces, places with these rates, kick h/2 by the forces there, the damping of
-//                      modes implicit: order 2, explicit; one evaluation of contact a step
+//                      modes by the mean of the rates before and after: order 2, with damping or friction in contact 1
+//                      as above; explicit, one evaluation of contact a step
 //   explicit-euler     places and rates with those at the start: order 1, feeds energy without damping
 //   newmark            average acceleration of frame and modes, contact at the end implicit: order 2
 //
