@@ -106,6 +106,7 @@ std::map<Comparable, Sides> sides_of(const std::vector<Run>& runs, const std::st
     if (!is_timed(run)) continue;
     for (const auto& [measure, record] : run.measures) {
       if (measure.metric != metric || !is_usable(record)) continue;
+      if (measure.truth == "same_modes") continue;  // of steps alone, which no full order has
       Sides& sides = all[{run.case_name, run.profile, measure}];
       (is_reduced(run.contender) ? sides.reduced : sides.full_order).push_back({&run, &record});
     }

@@ -25,7 +25,8 @@ double mesh_radius(const System& system, const Scheme& scheme, double h) {
 }
 
 double radius(const System& system, const std::string& integrator, double h) {
-  const Scheme* scheme = scheme_of(integrator, system);
+  const bool lags = system.stored_energy && integrator == "central-difference";  // with all of its damping
+  const Scheme* scheme = lags ? &mb::scheme("central-difference, lagged damping") : scheme_of(integrator, system);
   if (!scheme) return nan;
   return is_in_modes(system) ? step_radius(stepped_modes(system), *scheme, h) : mesh_radius(system, *scheme, h);
 }
