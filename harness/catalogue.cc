@@ -72,7 +72,11 @@ Vocabulary Catalogue::vocabulary() const {
     if (integrator.knob == Integrator::Knob::tolerance) names.adaptive_integrators.push_back(integrator.name);
     if (integrator.prepare_in_contact) names.impact_integrators.push_back(integrator.name);
   }
-  for (const Metric& metric : metric_catalogue()) names.metrics.push_back(metric.name);
+  for (const Metric& metric : metric_catalogue()) {
+    names.metrics.push_back(metric.name);
+    const bool of_one = metric.of_truth_alone || metric.of_answer_alone;
+    if (!of_one && !metric.contact_only) names.metrics_of_steps.push_back(metric.name);
+  }
   for (const Analysis& analysis : analysis_catalogue()) {
     names.analyses.push_back(analysis.name);
     if (analysis.scenes == Analysis::Scenes::without_contact) names.analyses_of_loads.push_back(analysis.name);

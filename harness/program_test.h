@@ -106,6 +106,12 @@ why = "w"
 )";
 }
 
+// small_case with these lines of [study] before its check.
+inline std::string small_case_with(const std::string& study) {
+  std::string all = small_case();
+  return all.insert(all.find("\n[[check]]"), study);
+}
+
 // A rigid box without damping that falls by a centimetre. study: lines of [study], its contact_steps at least.
 inline std::string bouncing_case(const std::string& study) {
   return R"(schema = 1

@@ -15,7 +15,7 @@ using Kind = Column::Kind;
 std::string reference_of(const CheckResult& result, const Scene* scene) {
   const Check& check = result.check;
   if (!check.table.empty()) return result.footing.reference;
-  if (!check.status.empty()) return "growth without bound past the limit of the scheme";
+  if (!check.status.empty()) return "growth past the limit of the scheme";
   if (!scene) return check.truth;
   if (check.truth == "exact") return "closed form " + scene->truth.exact;
   const std::string rtol = format_setting(scene->truth.relative_tolerance);

@@ -235,7 +235,8 @@ TEST(TruthKind, NamesAreThoseOfTheStore) {
   EXPECT_STREQ(to_string(TruthKind::finer), "finer");
   EXPECT_STREQ(to_string(TruthKind::same_mesh), "same_mesh");
   EXPECT_STREQ(to_string(TruthKind::exact), "exact");
-  for (const TruthKind kind : {TruthKind::finer, TruthKind::same_mesh, TruthKind::exact}) {
+  EXPECT_STREQ(to_string(TruthKind::same_modes), "same_modes");
+  for (const TruthKind kind : {TruthKind::finer, TruthKind::same_mesh, TruthKind::exact, TruthKind::same_modes}) {
     EXPECT_EQ(record_from_json(altered("truth", to_string(kind))).truth, to_string(kind));
   }
 }

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -119,6 +120,17 @@ bool read_status(Section& section, std::initializer_list<const char*> keys, Chec
   return !check.status.empty();
 }
 
+// Truth same_modes, which is of steps alone.
+void check_steps(Section& section, const std::string& metric, const Vocabulary& vocabulary, const Check& check) {
+  const bool is_reduced = !check.method.empty() && check.method != full_order && check.method != "full";
+  if (!is_reduced || check.integrator.empty() || check.integrator == "exact")
+    section.error("truth", "truth same_modes is the closed form of modes that are stepped otherwise",
+                  "'method' takes modes of the mesh, 'integrator' steps them and is not exact");
+  if (has(vocabulary.metrics, metric) && !has(vocabulary.metrics_of_steps, metric))
+    section.error("metric", fmt::format("truth same_modes knows nothing of '{}'", metric),
+                  fmt::format("of steps there are: {}", fmt::join(vocabulary.metrics_of_steps, ", ")));
+}
+
 // What of them: a metric against a truth, or how they end.
 bool read_mark(Section& section, const CheckContext& context, const Vocabulary& vocabulary, Check& check) {
   if (section.has("status")) return read_status(section, {"metric", "truth", "at_most", "at_least"}, check);
@@ -127,10 +139,7 @@ bool read_mark(Section& section, const CheckContext& context, const Vocabulary& 
   if (truth == "exact" && !context.has_exact) {
     section.error("truth", "there is no exact truth: [truth] has no key 'exact', which names a closed form");
   }
-  const bool is_reduced = !check.method.empty() && check.method != full_order && check.method != "full";
-  if (truth == "same_modes" && !(is_reduced && !check.integrator.empty() && check.integrator != "exact"))
-    section.error("truth", "truth same_modes is the closed form of modes that are stepped otherwise",
-                  "'method' takes modes of the mesh, 'integrator' steps them and is not exact");
+  if (truth == "same_modes") check_steps(section, metric.value_or(""), vocabulary, check);
   if (!metric || !truth) return false;
   check.metric = *metric;
   check.truth = *truth;

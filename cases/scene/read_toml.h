@@ -44,6 +44,7 @@ struct Vocabulary {
   std::vector<std::string> analyses_of_contact = {};       // of analyses: those of scenes with it
   std::vector<std::string> analyses_of_single_modes = {};  // of analyses: not where a dashpot couples modes
   std::vector<std::string> analyses_of_theories = {};      /* of analyses: those that take beam and plate theory */
+  std::vector<std::string> metrics_of_steps = {};          // of metrics: those that truth same_modes is asked in
   std::map<std::string, std::string> tables = {};          // that checks may name: the analysis that makes each
 };
 

@@ -1,7 +1,6 @@
 // What the number of samples does that carry a modal contact.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "harness/analysis/contact_tables.h"
 #include "harness/analysis/first_impact.h"
@@ -53,8 +52,8 @@ Finding contact_samples(const ContactVariants& variants, const AnalysisContext& 
   if (!std::ranges::any_of(context.scene->contacts, sampled)) return found;
   const Trajectory& truth = context.truth.finer;
   const FirstImpact real = first_impact(truth, truth);
-  std::vector<double> bars(found.columns.size(), std::numeric_limits<double>::quiet_NaN());
-  bars[10] = bar_of(context.truth, &FirstImpact::peak), bars[11] = bar_of(context.truth, &FirstImpact::impulse);
+  const double of_peak = bar_of(context.truth, &FirstImpact::peak),
+               of_impulse = bar_of(context.truth, &FirstImpact::impulse);
   for (ContactContender of : variants.contenders()) {
     if (of.modes < 0) continue;
     std::vector<FirstImpact> impacts;
@@ -72,7 +71,8 @@ Finding contact_samples(const ContactVariants& variants, const AnalysisContext& 
                             now.impulse, change(now.duration, best.duration), change(now.peak, best.peak),
                             change(now.impulse, best.impulse), change(now.peak, real.peak),
                             change(now.impulse, real.impulse)});
-      found.bars.push_back(bars);
+      bar_last_row(found, {{"peak force against truth", of_peak * std::abs(now.peak / real.peak)},
+                           {"impulse against truth", of_impulse * std::abs(now.impulse / real.impulse)}});
     }
   }
   return found;

@@ -32,7 +32,7 @@ double pressed_radius(const PressedModes& pressed, const std::string& scheme, do
 // The least step [s] at which that is above 1 by more than 1e-6, to a thousandth of it; infinity: none up to `most` [s]
 // from 1e-4 of it on. Kicks are tried at steps 3 % apart and at resonances(), so that a window is missed only where it
 // is narrower than that and first order in the layer puts it elsewhere; average acceleration, which knows no windows,
-// 15 % apart. Of the explicit schemes it is in closed form, stable_step() of one_step.h: 0 where no step is stable.
+// 15 % apart. Of the explicit schemes it is stable_step() of one_step.h: 0 where no step is stable.
 double pressed_limit(const PressedModes& pressed, const std::string& scheme, double most);
 
 // The most that is gained where the layer opens, of m v^2/2, by each scheme but explicit Euler, and the step [s] at
@@ -47,7 +47,7 @@ double pressed_limit(const PressedModes& pressed, const std::string& scheme, dou
 double opening_gain(double kappa, double m, double h);
 double opening_limit(double kappa, double m, double gain);
 
-// Middles [s] of those windows of kicks between closed forms that are narrower than 2 %, below `most`, ascending: with
+// Middles [s] of those windows of kicks between closed forms that are narrower than 6 %, below `most`, ascending: with
 // omega' = omega + kappa g^2/(2 omega)
 //
 //   h = 2 pi k / (omega_i' + omega_j'),   width/h = 2 w/(omega_i + omega_j),   w = kappa |g_i g_j|/sqrt(omega_i

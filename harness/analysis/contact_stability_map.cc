@@ -128,11 +128,18 @@ double opening_limit_of(const VariedLayer& layer) {
   return opening_limit(layer.pressed.kappa, layer.encounter.mass, grown - 1);
 }
 
+// [s] Of the contact in this layer: as seen, or where its reference lost it as the scene's own layer has it.
+double duration_of(const VariedLayer& layer) {
+  const double seen = layer.reference.duration;
+  return std::isfinite(seen) && seen > 0 ? seen : layer.encounter.meeting.size.duration;
+}
+
 // What is seen against what the radius of one step says, which one contact takes to so many powers, and what opening
-// may gain.
-const char* verdict_of(const Cell& one, const VariedLayer& layer) {
-  const double growth = 2 * layer.encounter.meeting.size.duration / one.dt * std::log(one.radius);  // of energy
-  const bool grows = growth > std::log(grown), may_gain = one.dt > opening_limit_of(layer);
+// may gain, of which nothing is known for explicit Euler.
+const char* verdict_of(const Cell& one, const VariedLayer& layer, const std::string& scheme) {
+  const double growth = 2 * duration_of(layer) / one.dt * std::log(one.radius);  // of energy
+  const bool grows = growth > std::log(grown),
+             may_gain = scheme != "explicit-euler" && one.dt > opening_limit_of(layer);
   if (one.found == StepClass::unstable) return grows || may_gain ? "as predicted" : "unstable within the limit";
   if (!std::isfinite(error(one))) return "touch missed";
   if (grows) return "bounded beyond the limit";
@@ -149,7 +156,7 @@ Cell cell(const VariedLayer& layer, const Integrator& scheme, double dt) {
     one.of_impulse = std::abs(now.impulse / layer.reference.impulse - 1);
     if (one.energy <= grown) one.found = error(one) <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
   }
-  one.verdict = verdict_of(one, layer);
+  one.verdict = verdict_of(one, layer, scheme.name);
   return one;
 }
 
@@ -242,13 +249,11 @@ std::vector<Finding> contact_stability(const AnalysisContext& context) {
         if (i == steps - 1) sum.keep_last(one, layer);
         map.rows.push_back({scheme, layer.factor, dt, dt / limit, one.radius, one.energy, one.of_peak, one.of_impulse,
                             to_string(one.found), limit, opening, one.verdict});
-        map.bars.push_back(std::vector(map.columns.size(), nan));
-        map.bars.back()[6] = layer.bar_of_peak, map.bars.back()[7] = layer.bar_of_impulse;
+        bar_last_row(map, {{"peak force error", layer.bar_of_peak}, {"impulse error", layer.bar_of_impulse}});
       }
     }
     summary.rows.push_back(sum.row(scheme));
-    summary.bars.push_back(std::vector(summary.columns.size(), nan));
-    summary.bars.back()[10] = sum.last_bar;
+    bar_last_row(summary, {{"error at the least step", sum.last_bar}});
   }
   return {map, summary};
 }

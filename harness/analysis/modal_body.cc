@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <stdexcept>
 
 #include "harness/study/estimate.h"
 #include "harness/study/memory.h"
@@ -74,6 +75,16 @@ Finding table(std::string analysis, std::string name, std::string title, std::st
   finding.note = std::move(note);
   finding.columns = std::move(columns);
   return finding;
+}
+
+void bar_last_row(Finding& finding, const std::vector<std::pair<const char*, double>>& bars) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  finding.bars.resize(finding.rows.size(), std::vector(finding.columns.size(), none));
+  for (const auto& [name, bar] : bars) {
+    const auto column = std::ranges::find(finding.columns, name, &FindingColumn::name);
+    if (column == finding.columns.end()) throw std::logic_error(std::string("no column '") + name + "'");
+    finding.bars.back()[static_cast<size_t>(column - finding.columns.begin())] = bar;
+  }
 }
 
 FindingCell not_applicable() { return std::numeric_limits<double>::quiet_NaN(); }

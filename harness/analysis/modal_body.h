@@ -44,6 +44,9 @@ bool is_free(const AnalysisContext& context);
 // A table without rows; who calls adds run, case, profile and provenance.
 Finding table(std::string analysis, std::string name, std::string title, std::string note,
               std::vector<FindingColumn> columns);
+// Error bars of the row that was added last, by names of columns; rows before it that have none get none.
+void bar_last_row(Finding& finding, const std::vector<std::pair<const char*, double>>& bars);
+
 inline FindingCell number(double value) { return value; }
 inline FindingCell count(Index n) { return static_cast<double>(n); }
 FindingCell not_applicable();  // NaN

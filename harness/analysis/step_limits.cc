@@ -103,23 +103,25 @@ Finding runs_table() {
 Finding summary_table() {
   return table(
       "step-limits", "step-limit-summary", "How many of these runs do what the amplification says",
-      "Runs at 0.99 and 1.01 of the limit by what became of them, those of a reduced system at each mode count. With "
-      "the "
-      "consistent mass and with the lumped one it is the mesh itself that is stepped, of whatever size, made linear "
-      "where its kinematics are finite.",
+      "Runs at 0.99 and 1.01 of the limit by what became of them, those of a reduced system at each mode count; the "
+      "last "
+      "row is of all. With the consistent mass and with the lumped one it is the mesh itself that is stepped, of "
+      "whatever size, made linear where its kinematics are finite.",
       {{"system and scheme", ""}, {"runs", ""}, {"confirmed", ""}, {"not confirmed", ""}, {"too short to tell", ""}});
 }
 
 Finding summary_of(const Finding& runs) {
   Finding summary = summary_table();
-  for (const std::vector<FindingCell>& run : runs.rows) {
-    const FindingCell stepped = std::get<std::string>(run[0]) + ": " + std::get<std::string>(run[2]);
+  const auto add = [&](const FindingCell& stepped, const std::string& verdict) {
     auto sum = std::ranges::find(summary.rows, stepped, [](const auto& row) { return row.front(); });
     if (sum == summary.rows.end()) sum = summary.rows.insert(sum, {stepped, 0., 0., 0., 0.});
-    const auto verdict = std::ranges::find(summary.columns, std::get<std::string>(run.back()), &FindingColumn::name);
-    for (const auto column : {Index{1}, verdict - summary.columns.begin()})
-      sum->at(column) = std::get<double>(sum->at(column)) + 1;
-  }
+    const auto column = std::ranges::find(summary.columns, verdict, &FindingColumn::name);
+    for (const auto j : {Index{1}, column - summary.columns.begin()})
+      sum->at(static_cast<size_t>(j)) = std::get<double>(sum->at(static_cast<size_t>(j))) + 1;
+  };
+  for (const std::vector<FindingCell>& run : runs.rows)
+    add(std::get<std::string>(run[0]) + ": " + std::get<std::string>(run[2]), std::get<std::string>(run.back()));
+  for (const std::vector<FindingCell>& run : runs.rows) add("all", std::get<std::string>(run.back()));
   return summary;
 }
 

@@ -24,7 +24,7 @@ VectorXd frames_to_the_end(const Scene& scene) {
 
 const Model& Bench::model(const Resolution& resolution) {
   if (!model_ || !(resolution_ == resolution)) {
-    basis_ = {};
+    basis_ = {}, closed_form_ = {};
     model_.reset();
     assembly_ = seconds([&] { model_ = std::make_unique<Model>(make_model(scene_, resolution)); });
     resolution_ = resolution;
@@ -59,12 +59,15 @@ ReadyContender Bench::prepare(const Contender& contender) {
   return ready;
 }
 
-std::unique_ptr<Prepared> Bench::closed_form(const Contender& contender, const ReadyContender& ready) const {
-  const bool is_reduced = ready.reduction && !is_full_order(contender) && contender.method != "full";
-  if (!is_reduced || contender.integrator == "exact" || ready.reduction->in_contact) return nullptr;
-  Settings settings = contender.settings;
-  settings.load_tolerance = scene_->study.load_tolerance;
-  return prepare_linear(ready.reduction, catalogue_.integrator("exact"), settings, scene_->duration);
+const Prepared* Bench::closed_form(const Contender& contender, const ReadyContender& ready) {
+  if (!ready.reduction || ready.reduction->in_contact || !steps_modes(contender)) return nullptr;
+  if (closed_form_.reduction != ready.reduction) {
+    Settings settings = contender.settings;
+    settings.load_tolerance = scene_->study.load_tolerance;
+    closed_form_ = {ready.reduction,
+                    prepare_linear(ready.reduction, catalogue_.integrator("exact"), settings, scene_->duration)};
+  }
+  return closed_form_.prepared.get();
 }
 
 std::vector<Record> Bench::times(const Grader& grader, const Record& base, const ReadyContender& ready,

@@ -35,8 +35,8 @@ class Bench {
   ReadyContender prepare(const Contender& contender);
 
   // The closed form of the modes that a contender steps; none of what is in contact, of full order and of `full`, whose
-  // modes are the mesh's own.
-  std::unique_ptr<Prepared> closed_form(const Contender& contender, const ReadyContender& ready) const;
+  // modes are the mesh's own. One at a time: valid until that of another basis is asked for.
+  const Prepared* closed_form(const Contender& contender, const ReadyContender& ready);
 
   // Records of the times of one contender (metrics `online-time`, `stepping-time`, `offline-time`, `assembly-time`).
   // Five runs of the online part at least where one is cheap, three where it takes less than repeat_below [s]; else
@@ -59,6 +59,11 @@ class Bench {
   };
   const Basis& basis(const LinearMethod& method, const Settings& settings, const Model& mesh);
   Basis basis_;  // of the model at hand
+  struct ClosedForm {
+    std::shared_ptr<const Reduction> reduction;  // of which it is
+    std::unique_ptr<Prepared> prepared;
+  };
+  ClosedForm closed_form_;
 };
 
 }  // namespace mb

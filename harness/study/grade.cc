@@ -15,6 +15,14 @@ std::vector<TruthKind> known_truths(const TruthSet& truth) {
   return {TruthKind::finer, TruthKind::same_mesh};
 }
 
+// A number of which nobody can say how uncertain it is is none.
+void put_bar(Record& record, double bar) {
+  if (std::isfinite(bar))
+    record.error_bar = bar;
+  else if (record.status == "ok")
+    record.status = "undefined: the truth's neighbour has no such number";
+}
+
 std::vector<bool> finite_bodies(const Trajectory& answer, size_t n) {
   std::vector<bool> finite;
   for (size_t b = 0; b < n; ++b) finite.push_back(is_finite(answer, static_cast<Index>(b)));
@@ -85,12 +93,7 @@ std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) 
       if (subject.metric.of_truth_alone) continue;
       if (subject.metric.of_answer_alone && kind != TruthKind::finer) continue;
       Record record = marked(base, subject, kind, answer, truth_.of(kind), {finite, finite_truths_.at(kind)});
-      if (const auto bar = bars_.find({i, kind}); bar != bars_.end()) {
-        if (std::isfinite(bar->second))
-          record.error_bar = bar->second;
-        else if (record.status == "ok")  // a number of which nobody can say how uncertain it is
-          record.status = "undefined: the truth's neighbour has no such number";
-      }
+      if (const auto bar = bars_.find({i, kind}); bar != bars_.end()) put_bar(record, bar->second);
       records.push_back(std::move(record));
     }
   return records;
@@ -103,8 +106,7 @@ std::vector<Record> Grader::marks_of_steps(const Record& base, const Trajectory&
   for (const Subject& subject : subjects_) {
     if (subject.metric.of_truth_alone || subject.metric.of_answer_alone) continue;
     Record record = marked(base, subject, TruthKind::same_modes, answer, closed_form, finite);
-    const double bar = load_error * truth_size(subject.metric, closed_form, subject.context);
-    if (std::isfinite(bar)) record.error_bar = bar;
+    put_bar(record, load_error * truth_size(subject.metric, closed_form, subject.context));
     records.push_back(std::move(record));
   }
   return records;
@@ -133,7 +135,9 @@ std::vector<Record> Grader::truth_marks(const Record& base) const {
 
 std::vector<Record> Grader::failure(const Record& base, const std::string& status) const {
   std::vector<Record> records;
-  for (const TruthKind kind : kinds(base))
+  std::vector<TruthKind> all = kinds(base);
+  if (scene_.contacts.empty() && steps_modes(base.contender)) all.push_back(TruthKind::same_modes);
+  for (const TruthKind kind : all)
     for (const Subject& subject : subjects_) {
       if (subject.metric.of_truth_alone) continue;
       Record record = blank(base, subject, kind);

@@ -21,8 +21,7 @@ class Grader {
   // base: run, contender, modes_used, n_unknowns. Full-order rivals on other meshes are marked against `finer` alone.
   std::vector<Record> marks(const Record& base, const Trajectory& answer) const;
   // Of modes that were stepped, against the closed form of the same modes: what their steps alone make wrong.
-  // load_error
-  // [-]: of that closed form, the bar of metrics relative to the whole.
+  // load_error [-]: of that closed form, the bar of metrics relative to the whole.
   std::vector<Record> marks_of_steps(const Record& base, const Trajectory& answer, const Trajectory& closed_form,
                                      double load_error) const;
   // [-] Energy that nothing brought to the contacts (contact_metrics.h); NaN of scenes without.

@@ -10,8 +10,13 @@ namespace {
 constexpr double blown_up = 1e3;  // [-] error of a finite answer that has left the truth behind
 // [-] of free vibration over the run, by theory: what small answers of so unstable steps show is how little was there
 // to grow. Below it steps past their limit may be accurate: undamped explicit Euler's all are past it.
-constexpr double grown = 10;
+constexpr double much = 10;
 constexpr double most_fed = 1;  // [-] as much again as there was: steps within their limit gain some per cents
+
+// An answer at rest would be nearer.
+bool is_lost(const Record& r) {
+  return (r.metric == "displacement-error" || r.metric == "strain-error") && r.value > 1;
+}
 
 bool blew_up(const Record& r) {
   return r.status == "not_finite" || (r.metric == "displacement-error" && r.value > blown_up);
@@ -19,9 +24,11 @@ bool blew_up(const Record& r) {
 
 }  // namespace
 
-bool is_past_its_limit(const std::vector<Record>& marks, const Integrator& integrator, double growth, double fed) {
+bool is_past_its_limit(const std::vector<Record>& marks, const Integrator& integrator, const Grown& grown, double fed) {
   if (fed > most_fed) return true;
-  return integrator.conditionally_stable && (growth > grown || std::ranges::any_of(marks, &blew_up));
+  if (!integrator.conditionally_stable) return false;
+  const bool grows = grown.by_theory > much && (!grown.about_rest || std::ranges::any_of(marks, &is_lost));
+  return grows || std::ranges::any_of(marks, &blew_up);
 }
 
 void name_unstable(std::vector<Record>& marks) {

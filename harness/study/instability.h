@@ -2,7 +2,8 @@
 // value:
 //
 //   by a conditionally stable integrator: not finite, more than 1000 off the truth, or growing more than tenfold in
-//     free vibration over the run by theory (step_growth.h), however small the run stayed
+//     free vibration over the run by theory (step_growth.h), however small the run stayed; of finite deformation, of
+//     which theory knows rest alone, only where deformation or strain is off by more than the whole, too
 //   in contact, by any: energy above that at the start by more than the contact was brought, where nothing else brings
 //     any (energy_fed, harness/metrics/contact_metrics.h)
 #pragma once
@@ -11,12 +12,12 @@
 
 #include "cases/contract/method.h"
 #include "cases/contract/record.h"
+#include "harness/study/step_growth.h"
 
 namespace mb {
 
-// marks: all measures of one run. growth [-] of free vibration and fed [-], energy that nothing brought: NaN where
-// nothing is known.
-bool is_past_its_limit(const std::vector<Record>& marks, const Integrator& integrator, double growth, double fed);
+// marks: all measures of one run. fed [-]: energy that nothing brought; NaN where nothing is known.
+bool is_past_its_limit(const std::vector<Record>& marks, const Integrator& integrator, const Grown& grown, double fed);
 
 // Gives them that status, and no value.
 void name_unstable(std::vector<Record>& marks);

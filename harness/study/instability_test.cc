@@ -21,7 +21,7 @@ Record mark(const char* metric, double value, const char* status = "ok") {
 }
 
 bool is_past(const std::vector<Record>& marks, const char* integrator, double growth = unknown, double fed = unknown) {
-  return is_past_its_limit(marks, default_catalogue().integrator(integrator), growth, fed);
+  return is_past_its_limit(marks, default_catalogue().integrator(integrator), {growth, false}, fed);
 }
 
 TEST(Instability, OfExplicitStepsIsWhatIsNotFiniteFarOffOrGrowsByTheory) {
@@ -33,6 +33,20 @@ TEST(Instability, OfExplicitStepsIsWhatIsNotFiniteFarOffOrGrowsByTheory) {
     EXPECT_FALSE(is_past({mark("displacement-error", 0.1)}, scheme, 9.9));
     EXPECT_FALSE(is_past({mark("probe-error", 1001)}, scheme));
   }
+}
+
+// A body that softens may be right where its steps would grow about rest, one that stays bounded may be lost.
+TEST(Instability, OfFiniteDeformationIsSeenAsWellAsForetold) {
+  const auto is = [](const char* metric, double value, double growth) {
+    return is_past_its_limit({mark("impulse", 2), mark(metric, value)},
+                             default_catalogue().integrator("central-difference"), {growth, true}, unknown);
+  };
+  EXPECT_TRUE(is("strain-error", 1.1, 10.1));
+  EXPECT_TRUE(is("displacement-error", 1.1, 10.1));
+  EXPECT_FALSE(is("strain-error", 0.9, 1e30));
+  EXPECT_FALSE(is("strain-error", 22, 9.9));
+  EXPECT_FALSE(is("strain-error", 22, unknown));
+  EXPECT_TRUE(is("displacement-error", 1001, unknown));
 }
 
 // What is off by so much without a limit is wrong, and a failure where it is not finite.

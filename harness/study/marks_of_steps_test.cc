@@ -10,9 +10,7 @@
 namespace mb {
 namespace {
 
-std::string stepped_case() {
-  std::string all = small_case();
-  return all.insert(all.find("\n[[check]]"), R"(
+const char* const steppings = R"(
 [[study.stepping]]
 integrator = "newmark"
 methods = ["static-correction"]
@@ -22,15 +20,14 @@ time_steps = [1e-3, 5e-4]
 integrator = "newmark"
 methods = ["full"]
 time_steps = [1e-3]
-)");
-}
+)";
 
 class MarksOfSteps : public ::testing::Test {
  protected:
   // Displacement errors against the closed form of the same modes, by step.
   std::map<double, Record> marked() {
     fs::create_directory(scratch_ / "cases");
-    written(scratch_ / "cases/small.toml", stepped_case());
+    written(scratch_ / "cases/small.toml", small_case_with(steppings));
     EXPECT_EQ(modalbench(scratch_.path(), {"run", "small", "--untimed"}).code, 0);
     std::map<double, Record> all;
     for (const Record& r : Store(scratch_ / "results").read_all_records().records) {

@@ -126,6 +126,10 @@ std::vector<Job> part(const std::vector<Job>& jobs, const Shard& shard) {
 
 bool is_full_order(const Contender& contender) { return contender.method == "full-order"; }
 
+bool steps_modes(const Contender& contender) {
+  return !is_full_order(contender) && contender.method != "full" && contender.integrator != "exact";
+}
+
 bool takes_times(const Job& job) { return job.kind == Job::Kind::analysis && analysis(job.analysis).timed; }
 
 std::string label(const Contender& c) {

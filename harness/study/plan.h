@@ -43,5 +43,7 @@ std::vector<Job> part(const std::vector<Job>& jobs, const Shard& shard);
 bool takes_times(const Job& job);               // an analysis that measures
 std::string label(const Contender& contender);  // "static-correction r=32 exact Q4 1x4"
 bool is_full_order(const Contender& contender);
+// Whether it takes modes, or functions in their place, by steps where it could in closed form: not `full`.
+bool steps_modes(const Contender& contender);
 
 }  // namespace mb

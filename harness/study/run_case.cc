@@ -192,13 +192,14 @@ class CaseRun {
   }
 
   // Marked at every sample; kept for the eye: about a frame's distance apart, without strains.
-  std::vector<Record> marks(const Grader& grader, const Record& record, const ReadyContender& ready) const {
+  std::vector<Record> marks(const Grader& grader, const Record& record, const ReadyContender& ready) {
     const Trajectory answer = ready.prepared->simulate({.t = sample_times(*scene_)});
     std::vector<Record> records = grader.marks(record, answer);
     const Integrator& integrator = catalogue_.integrator(record.contender.integrator);
-    const bool past =
-        is_past_its_limit(records, integrator, growth(record.contender, ready), grader.energy_fed(answer));
-    if (const auto closed = bench_.closed_form(record.contender, ready))
+    const Grown grown =
+        growth_of(ready.reduction.get(), integrator, record.contender.settings.time_step, scene_->duration);
+    const bool past = is_past_its_limit(records, integrator, grown, grader.energy_fed(answer));
+    if (const Prepared* closed = bench_.closed_form(record.contender, ready))
       std::ranges::move(grader.marks_of_steps(record, answer, closed->simulate({.t = answer.t}), closed->load_error()),
                         std::back_inserter(records));
     if (past) name_unstable(records);
@@ -210,11 +211,6 @@ class CaseRun {
     if (record.contender.integrator == "exact")
       records.push_back(grader.number(record, "load-error", "-", ready.prepared->load_error(), std::nan("")));
     return records;
-  }
-
-  double growth(const Contender& contender, const ReadyContender& ready) const {
-    if (!ready.reduction || !catalogue_.integrator(contender.integrator).conditionally_stable) return std::nan("");
-    return predicted_growth(*ready.reduction, contender.integrator, contender.settings.time_step, scene_->duration);
   }
 
   void finish(const std::string& count, const Job& job, const std::vector<Record>& records) const {

@@ -45,4 +45,11 @@ double predicted_growth(const Reduction& reduction, const std::string& integrato
   return largest;
 }
 
+Grown growth_of(const Reduction* reduction, const Integrator& integrator, double h, double duration) {
+  if (!reduction || !integrator.conditionally_stable) return {nan, false};
+  const auto stretches = [](const LinearBody& body) { return body.system.stored_energy != nullptr; };
+  return {predicted_growth(*reduction, integrator.name, h, duration),
+          std::ranges::any_of(reduction->bodies, stretches)};
+}
+
 }  // namespace mb

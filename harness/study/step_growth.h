@@ -17,4 +17,11 @@ namespace mb {
 // matrix, a mesh whose highest mode damping couples to others. h and duration [s] > 0.
 double predicted_growth(const Reduction& reduction, const std::string& integrator, double h, double duration);
 
+struct Grown {
+  double by_theory;  // [-] as above
+  bool about_rest;   // whether that is the theory of another motion: of finite deformation
+};
+// Of conditionally stable integrators, of others nothing is known; reduction: or nullptr.
+Grown growth_of(const Reduction* reduction, const Integrator& integrator, double h, double duration);
+
 }  // namespace mb

@@ -15,6 +15,19 @@ constexpr double turned_little = 0.02;  // [rad]
 constexpr double rounding = 1e-14;
 constexpr int max_iterations = 30, max_renewals = 10, max_halvings = 6;
 
+// Of the error, after an iteration that changed v by so much. The rate of an earlier stage may be far from this one's:
+// what it foretells is not yet seen, the change itself is.
+double left(double change, double rate, bool measured) {
+  const double foretold = rate < 1 ? change * rate / (1 - rate) : change / rounding;
+  return measured ? foretold : std::max(change, foretold);
+}
+
+// [m/s] What rounding leaves of v, and of (u - a)/gamma.
+double unresolved(const VectorXd& v, const VectorXd& a, double gamma) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  return std::max(rounding * v.lpNorm<Eigen::Infinity>(), epsilon * a.lpNorm<Eigen::Infinity>() / gamma);
+}
+
 void turn_by(const Matrix3d& Q, Eigen::Ref<VectorXd> x) {
   for (Index i = 0; i < x.size(); i += 3) x.segment<3>(i) = (Q * x.segment<3>(i)).eval();
 }
@@ -177,10 +190,7 @@ FiniteStage::Outcome FiniteStage::solve(double t, const VectorXd& b, const Vecto
     const double change = (next_ - v).lpNorm<Eigen::Infinity>();
     const bool measured = std::isfinite(before);
     if (measured) kept->rate = change / before;
-    // The rate of an earlier stage may be far from this one's: what it foretells is not yet seen, the change itself is.
-    const double foretold = kept->rate < 1 ? change * kept->rate / (1 - kept->rate) : change / rounding;
-    const double left = measured ? foretold : std::max(change, foretold);
-    if (left <= tolerance || change <= rounding * next_.lpNorm<Eigen::Infinity>()) {
+    if (left(change, kept->rate, measured) <= tolerance || change <= unresolved(next_, a, gamma)) {
       v = next_;
       outcome.converged = true;
       return outcome;
