@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "cases/contract/status.h"
 #include "reports/synthetic.h"
 
 namespace mb {
@@ -111,7 +112,8 @@ TEST(CheckResults, OfHowRunsEndHoldWhereAllMarksHaveThatStatus) {
   };
   EXPECT_TRUE(result_of(check, marks("unstable", "unstable")).holds);
   EXPECT_TRUE(result_of(check, marks("unstable", "undefined: no contact")).holds);
-  for (const auto& [first, second] : {std::pair{"unstable", "ok"}, {"ok", "ok"}, {"unstable", "failed: memory"}}) {
+  for (const auto& [first, second] :
+       {std::pair{"unstable", "ok"}, {"ok", "ok"}, {"unstable", "failed: memory"}, {"unstable", unstable_by_theory}}) {
     const CheckResult result = result_of(check, marks(first, second));
     EXPECT_FALSE(result.holds) << first << second;
     EXPECT_TRUE(result.measured) << first << second;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "cases/contract/status.h"
 #include "reports/words.h"
 
 namespace mb {
@@ -30,10 +31,8 @@ long runs_with(const Evaluation& evaluation, const Scene& scene, bool (*of)(cons
   return static_cast<long>(runs.size());
 }
 
-bool is_unstable(const std::string& status) { return status == "unstable" || status == "not_finite"; }
-bool is_failed(const std::string& status) {
-  return status != "ok" && !is_unstable(status) && !status.starts_with("undefined");
-}
+bool blew_up(const std::string& status) { return is_unstable(status) || status == "not_finite"; }
+bool is_failed(const std::string& status) { return status != "ok" && !blew_up(status) && !is_undefined(status); }
 
 std::string verdict_of(const Counts& checks) {
   if (checks.fail > 0) return "fails";
@@ -49,8 +48,8 @@ Sheet hard_cases_table(const Evaluation& evaluation) {
               .note =
                   "Cases that are there to break something. Verdict: of the case's own checks; `open` where an "
                   "error bar decides nothing. Unstable: runs past the limit of their step, which grew, or by theory "
-                  "would have grown tenfold had there been anything to grow: found and named, no number of theirs is "
-                  "stored.",
+                  "alone grow tenfold where there is anything to grow: found and named, no number of theirs is stored. "
+                  "A check that asks for an unstable run holds where growth is seen.",
               .columns = {},
               .rows = {},
               .n_keys = 0};
@@ -67,7 +66,7 @@ Sheet hard_cases_table(const Evaluation& evaluation) {
     table.rows.push_back(
         {text_cell(scene.name), text_cell(scene.profile), text_cell(scene.hard),
          text_cell(std::to_string(checks.hold) + " of " + std::to_string(checks.hold + checks.open + checks.fail)),
-         count_cell(runs_with(evaluation, scene, &is_unstable)), count_cell(runs_with(evaluation, scene, &is_failed)),
+         count_cell(runs_with(evaluation, scene, &blew_up)), count_cell(runs_with(evaluation, scene, &is_failed)),
          text_cell(verdict_of(checks))});
   }
   return table;

@@ -1,4 +1,5 @@
 #include "reports/number.h"
+#include "cases/contract/status.h"
 
 #include <fmt/format.h>
 
@@ -35,7 +36,7 @@ std::string format_with_bar(double value, std::optional<double> bar) {
 }
 
 std::string format_record(const Record& record) {
-  if (record.status.starts_with("undefined")) return "undefined";
+  if (is_undefined(record.status)) return "undefined";
   if (record.status.starts_with("failed")) return "failed";
   if (record.status != "ok") return "failed (" + record.status + ")";
   if (!std::isfinite(record.value)) return "failed (not finite)";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "cases/contract/status.h"
 #include "reports/number.h"
 #include "reports/times.h"
 #include "reports/words.h"
@@ -113,7 +114,7 @@ bool is_mark(const Record& record) { return !record.truth.empty() && !is_of_trut
 
 bool is_usable(const Record& record) { return record.status == "ok" && std::isfinite(record.value); }
 
-bool is_unstable(const Record& record) { return record.status == "unstable"; }
+bool is_unstable(const Record& record) { return is_unstable(record.status); }
 
 std::string best_truth(const Run& run, const std::string& metric) {
   const bool has_exact = std::ranges::any_of(
@@ -125,7 +126,7 @@ bool is_against_best(const Run& run, const Measure& measure) {
   return measure.truth == best_truth(run, measure.metric);
 }
 
-bool is_undefined(const Record& record) { return record.status.starts_with("undefined"); }
+bool is_undefined(const Record& record) { return is_undefined(record.status); }
 
 double counted_error(const Record& record) { return std::max(std::abs(record.value), record.error_bar.value_or(0)); }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "cases/contract/status.h"
 #include "reports/environment.h"
 #include "reports/number.h"
 #include "reports/speedup.h"
@@ -130,7 +131,7 @@ std::string failure_sentence(const std::vector<Failure>& failures, int n_failed_
   std::string text = counted(n_failed_runs, "run", "runs") + " failed.";
   std::size_t n_named = 0, n_reasons = 0;
   for (const Failure& one : failures) {
-    if (one.undefined || one.reason == "unstable" || ++n_reasons > 5) continue;
+    if (one.undefined || is_unstable(one.reason) || ++n_reasons > 5) continue;
     ++n_named;
     text += " " + counted(one.n_runs, "run", "runs") + ": " + one.reason + ": " + one.contenders + ".";
   }
@@ -199,8 +200,9 @@ bool is_of_study(const Scene& scene, const Contender& c) {
            lists_accuracy(one, c.settings);
   };
   const auto is_rival = [&](const Rival& one) {
-    return one.integrator == c.integrator && lists(one.degrees, c.resolution.degree) &&
-           lists(one.cells, c.resolution.cells) && lists_accuracy(one, c.settings);
+    const bool own = one.cells.empty() && to_string(c.resolution) == to_string(own_meshes(scene));
+    const bool its = lists(one.degrees, c.resolution.degree) && lists(one.cells, c.resolution.cells);
+    return (own || its) && one.integrator == c.integrator && lists_accuracy(one, c.settings);
   };
   const Study& study = scene.study;
   if (c.method == "full-order") return std::ranges::any_of(study.rivals, is_rival) || is_of_a_truth(scene, c);

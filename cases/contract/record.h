@@ -34,8 +34,8 @@ struct Record {
   double value = 0;     // where not finite stored as null, and then with a status other than "ok"
   std::string unit;
   std::optional<double> error_bar;  // same unit; a value below it prints as "<= bar"
-  std::string status;               // "ok", "unstable" (steps beyond the integrator's limit: run_case.h),
-                                    // "not_finite", "no_convergence", "too_many_steps", "undefined: ...",
+  std::string status;               // "ok", "unstable", "unstable: ..." (steps beyond the integrator's limit:
+                                    // status.h), "not_finite", "no_convergence", "too_many_steps", "undefined: ...",
                                     // "failed: ..."
   Work work;
   std::map<std::string, std::string> provenance;  // commit, date, profile, processor, threads, blas, compiler

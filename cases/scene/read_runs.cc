@@ -97,10 +97,7 @@ void check_impact(const std::string& integrator, Section& section, const RunCont
                            fmt::format("there are: {}", fmt::join(able, ", ")));
 }
 
-Rival read_rival(Section section, const RunContext& context) {
-  Rival rival;
-  rival.integrator = read_integrator(section, context.vocabulary);
-  check_impact(rival.integrator, section, context);
+void read_meshes(Rival& rival, Section& section, const RunContext& context) {
   const auto degrees = section.integers("degrees", degree_range, {1, 4});
   if (degrees) check_ascending(*degrees, "degrees", section.findings());
   rival.degrees = values_of(degrees);
@@ -109,6 +106,25 @@ Rival read_rival(Section section, const RunContext& context) {
   rival.graded = read_graded(section, context.bodies);
   if (cells && !context.bodies.empty()) check_meshes(rival, *cells, context.bodies.front(), section.findings());
   rival.second_cells = read_second_cells(section, rival, context);
+}
+
+// Of the bodies' own meshes, which are what they are.
+void refuse_without_cells(Section& section) {
+  for (const char* key : {"graded", "second_cells"}) {
+    if (!section.has(key)) continue;
+    section.findings().error(section.where_key(key),
+                             fmt::format("'{}' needs 'degrees' and 'cells': without, the bodies' own meshes", key));
+  }
+}
+
+Rival read_rival(Section section, const RunContext& context) {
+  Rival rival;
+  rival.integrator = read_integrator(section, context.vocabulary);
+  check_impact(rival.integrator, section, context);
+  if (section.has("degrees") || section.has("cells"))
+    read_meshes(rival, section, context);
+  else
+    refuse_without_cells(section);
   Accuracy accuracy = read_accuracy(section, rival.integrator, context);
   rival.time_steps = std::move(accuracy.time_steps);
   rival.relative_tolerances = std::move(accuracy.relative_tolerances);
@@ -140,8 +156,8 @@ Stepping read_stepping(Section section, const RunContext& context) {
 }
 
 double n_runs(const Rival& rival) {
-  return static_cast<double>(rival.degrees.size() * rival.cells.size() *
-                             (rival.time_steps.size() + rival.relative_tolerances.size()));
+  const size_t meshes = rival.cells.empty() ? 1 : rival.degrees.size() * rival.cells.size();
+  return static_cast<double>(meshes * (rival.time_steps.size() + rival.relative_tolerances.size()));
 }
 
 double n_runs(const Stepping& stepping, const Vocabulary& vocabulary) {

@@ -46,6 +46,23 @@ relative_tolerances = [1e-4])"));
   EXPECT_EQ(scene.study.steppings[1].relative_tolerances, (std::vector<double>{1e-4}));
 }
 
+TEST(ReadStudy, rivals_without_degrees_and_cells_are_of_the_bodies_own_meshes) {
+  const auto rival = [](const std::string& keys) {
+    return with(cylinder_text(), "[[study.rival]]",
+                "[[study.rival]]\nintegrator = \"newmark\"\ntime_steps = [1e-3]\n" + keys + "[[study.rival]]");
+  };
+  const Scene scene = test::read(rival(""));
+  EXPECT_TRUE(scene.study.rivals.at(0).cells.empty());
+  EXPECT_TRUE(scene.study.rivals.at(0).degrees.empty());
+  const auto is_refused = [&](const std::string& keys, const char* why) {
+    const std::string all = problems_of_text(rival(keys));
+    EXPECT_NE(all.find(why), std::string::npos) << all;
+  };
+  is_refused("degrees = [2]\n", "'cells'");
+  is_refused("cells = [[0, 2]]\n", "'degrees'");
+  is_refused("graded = 1\n", "'graded' needs 'degrees' and 'cells'");
+}
+
 TEST(ReadStudy, rivals_of_adaptive_integrators_take_tolerances) {
   const std::string text = with(cylinder_text(), "[[study.rival]]", R"([[study.rival]]
 integrator = "sundials"

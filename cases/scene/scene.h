@@ -144,7 +144,8 @@ struct Probe {
   Vector3d direction;  // [-] unit; the signal is u(point) . direction
 };
 
-// Full-order contenders: every degree x cells x time step, or x tolerance for adaptive integrators.
+// Full-order contenders: every degree x cells x time step, or x tolerance for adaptive integrators; without degrees and
+// cells on the bodies' own meshes.
 struct Rival {
   std::string integrator;
   std::vector<int> degrees;

@@ -38,8 +38,9 @@ Finding map_table() {
       "where nothing is known of their contact. Inaccurate: bounded, and peak "
       "force or impulse more than 5 % off those of kicks at a quarter of the least step. Spectral radius: of one "
       "step linearised about the height of the impact, the layer pressed at one point as hard as over the "
-      "contact's whole area; limit: the step where it passes 1, of average acceleration none. Growth over one contact "
-      "that would not show is called too short to be seen; where steps leave neither force nor impulse, the touch is "
+      "contact's whole area; limit: the step where it passes 1, of average acceleration none. Growth over one contact, "
+      "a step at least, that would not show is called too short to be seen; where steps leave neither force nor "
+      "impulse, the touch is "
       "missed. Where the layer opens within a step energy is gained, too, of a rigid mass at most g/(1 - g), g = kappa "
       "h^2/(4 m), by each but explicit Euler: opening limit, the step where that is a tenth. What is beyond this limit "
       "alone may gain energy or not: may gain. Bars of errors: how far half of the least step moved what they are held "
@@ -134,10 +135,11 @@ double duration_of(const VariedLayer& layer) {
   return std::isfinite(seen) && seen > 0 ? seen : layer.encounter.meeting.size.duration;
 }
 
-// What is seen against what the radius of one step says, which one contact takes to so many powers, and what opening
-// may gain, of which nothing is known for explicit Euler.
+// What is seen against what the radius of one step says, which one contact takes to so many powers, one at least: what
+// is pressed is for a whole step. And what opening may gain, of which nothing is known for explicit Euler.
 const char* verdict_of(const Cell& one, const VariedLayer& layer, const std::string& scheme) {
-  const double growth = 2 * duration_of(layer) / one.dt * std::log(one.radius);  // of energy
+  const double powers = std::max(1.0, duration_of(layer) / one.dt);
+  const double growth = 2 * powers * std::log(one.radius);  // of energy
   const bool grows = growth > std::log(grown),
              may_gain = scheme != "explicit-euler" && one.dt > opening_limit_of(layer);
   if (one.found == StepClass::unstable) return grows || may_gain ? "as predicted" : "unstable within the limit";

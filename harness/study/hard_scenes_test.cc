@@ -7,6 +7,7 @@
 
 #include "cases/scene/read_toml.h"
 #include "harness/catalogue.h"
+#include "harness/study/plan.h"
 
 namespace mb {
 namespace {
@@ -64,8 +65,7 @@ TEST_F(HardScenes, WithoutContactAreSteppedByEveryIntegratorInModes) {
   }
 }
 
-// Against the truth of the mesh what is cut would hide what steps make wrong. A bound of 1 an answer at rest would
-// keep.
+// Against the truth of the mesh what is cut would hide what steps make wrong.
 TEST_F(HardScenes, EveryStepOfModesIsHeldToTheirClosedFormOrToItsEnd) {
   for (const Scene& scene : all_) {
     for (const Stepping& stepping : scene.study.steppings)
@@ -80,12 +80,37 @@ TEST_F(HardScenes, EveryStepOfModesIsHeldToTheirClosedFormOrToItsEnd) {
                 [&](const Check& check) {
                   return check.method == method && check.modes == r && check.integrator == stepping.integrator &&
                          check.time_step == step &&
-                         (check.status == "unstable" ||
-                          (check.truth == "same_modes" && (check.at_least || check.at_most.value_or(1) < 1)));
+                         (check.status == "unstable" || (check.truth == "same_modes" && check.at_most));
                 }))
                 << scene.name << " " << method << " " << stepping.integrator << " r=" << r << " " << step.value_or(0);
         }
       }
+  }
+}
+
+// What a mesh of its own leaves is its steps alone, as of the same modes.
+TEST_F(HardScenes, AreSteppedInFullOrderOnTheirOwnMeshToItsTruth) {
+  for (const Scene& scene : all_) {
+    if (!scene.contacts.empty()) {  // the quick profile has another mesh: any of its rivals
+      EXPECT_TRUE(std::ranges::any_of(scene.checks, [](const Check& check) {
+        return check.method == "full-order" && check.integrator == "newmark" && check.truth == "same_mesh";
+      })) << scene.name;
+      continue;
+    }
+    int n = 0;
+    for (const Contender& own : contenders(scene, catalogue_)) {
+      if (!is_full_order(own) || catalogue_.integrator(own.integrator).conditionally_stable ||
+          to_string(own.resolution) != to_string(own_meshes(scene)))
+        continue;
+      ++n;
+      EXPECT_TRUE(std::ranges::any_of(scene.checks,
+                                      [&](const Check& check) {
+                                        return check.method == "full-order" && check.integrator == own.integrator &&
+                                               check.truth == "same_mesh" && check.time_step == own.settings.time_step;
+                                      }))
+          << scene.name << " " << own.integrator << " " << own.settings.time_step;
+    }
+    EXPECT_GE(n, 2) << scene.name << ": implicit steps of the mesh itself";
   }
 }
 

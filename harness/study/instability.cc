@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/contract/status.h"
+
 namespace mb {
 namespace {
 
@@ -24,15 +26,20 @@ bool blew_up(const Record& r) {
 
 }  // namespace
 
-bool is_past_its_limit(const std::vector<Record>& marks, const Integrator& integrator, const Grown& grown, double fed) {
-  if (fed > most_fed) return true;
-  if (!integrator.conditionally_stable) return false;
-  const bool grows = grown.by_theory > much && (!grown.about_rest || std::ranges::any_of(marks, &is_lost));
-  return grows || std::ranges::any_of(marks, &blew_up);
+Limit kept_limit(const std::vector<Record>& marks, const Integrator& integrator, const Grown& grown, double fed) {
+  if (fed > most_fed) return Limit::passed;
+  if (!integrator.conditionally_stable) return Limit::kept;
+  if (std::ranges::any_of(marks, &blew_up)) return Limit::passed;
+  if (!(grown.by_theory > much)) return Limit::kept;
+  if (std::ranges::any_of(marks, &is_lost)) return Limit::passed;
+  return grown.about_rest ? Limit::kept : Limit::passed_by_theory;
 }
 
-void name_unstable(std::vector<Record>& marks) {
-  for (Record& record : marks) record.status = "unstable", record.value = std::numeric_limits<double>::quiet_NaN();
+void name_unstable(std::vector<Record>& marks, Limit limit) {
+  for (Record& record : marks) {
+    record.status = limit == Limit::passed ? unstable : unstable_by_theory;
+    record.value = std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 }  // namespace mb

@@ -2,8 +2,9 @@
 // value:
 //
 //   by a conditionally stable integrator: not finite, more than 1000 off the truth, or growing more than tenfold in
-//     free vibration over the run by theory (step_growth.h), however small the run stayed; of finite deformation, of
-//     which theory knows rest alone, only where deformation or strain is off by more than the whole, too
+//     free vibration over the run by theory (step_growth.h); of that which shows deformation or strain off by more
+//     than the whole. What does not, however small it stayed, is so by theory alone: what would grow was not moved,
+//     or has not grown yet. Theory of finite deformation knows rest alone, and counts for nothing there by itself
 //   in contact, by any: energy above that at the start by more than the contact was brought, where nothing else brings
 //     any (energy_fed, harness/metrics/contact_metrics.h)
 #pragma once
@@ -17,9 +18,10 @@
 namespace mb {
 
 // marks: all measures of one run. fed [-]: energy that nothing brought; NaN where nothing is known.
-bool is_past_its_limit(const std::vector<Record>& marks, const Integrator& integrator, const Grown& grown, double fed);
+enum class Limit { kept, passed, passed_by_theory };
+Limit kept_limit(const std::vector<Record>& marks, const Integrator& integrator, const Grown& grown, double fed);
 
-// Gives them that status, and no value.
-void name_unstable(std::vector<Record>& marks);
+// Gives them the status of such a limit (cases/contract/status.h), and no value.
+void name_unstable(std::vector<Record>& marks, Limit limit);
 
 }  // namespace mb

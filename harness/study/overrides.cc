@@ -141,8 +141,10 @@ class Change {
       all_.rivals = std::move(asked_for);
     }
     for (TomlFields& rival : all_.rivals) {
-      replace(rival, "degrees", "rival.degrees");
-      replace(rival, "cells", "rival.cells");
+      if (rival.contains("degrees") || rival.contains("cells")) {  // others keep the bodies' own meshes
+        replace(rival, "degrees", "rival.degrees");
+        replace(rival, "cells", "rival.cells");
+      }
       replace(rival, accuracy(rival), "rival." + accuracy(rival));
     }
   }

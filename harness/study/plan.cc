@@ -68,6 +68,8 @@ Resolution mesh_of(const Rival& rival, size_t i, int degree, const Scene& scene)
 }
 
 void append(std::vector<Contender>& all, const Rival& rival, const Scene& scene) {
+  if (rival.cells.empty())
+    append(all, {"full-order", rival.integrator, own_meshes(scene), {}}, rival.time_steps, rival.relative_tolerances);
   for (size_t i = 0; i < rival.cells.size(); ++i)
     for (const int degree : rival.degrees)
       append(all, {"full-order", rival.integrator, mesh_of(rival, i, degree, scene), {}}, rival.time_steps,

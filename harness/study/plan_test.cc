@@ -45,6 +45,17 @@ TEST(PlanTest, WhatTheStudyListsTwiceIsOneJob) {
   EXPECT_EQ(jobs(scene_of(twice), default_catalogue()).size(), 4u);
 }
 
+TEST(PlanTest, RivalsWithoutCellsStandOnTheBodiesOwnMeshes) {
+  const std::string own = "[[study.rival]]\nintegrator = \"newmark\"\ntime_steps = [3e-3]\n\n[[check]]";
+  const std::string text = small_case();
+  const Scene scene = scene_of(text.substr(0, text.find("[[check]]")) + own + text.substr(text.find("[[check]]") + 9));
+  const std::vector<Contender> all = contenders(scene, default_catalogue());
+  const auto found = std::ranges::find_if(all, [](const Contender& c) { return c.settings.time_step == 3e-3; });
+  ASSERT_NE(found, all.end());
+  EXPECT_EQ(found->method, "full-order");
+  EXPECT_EQ(to_string(found->resolution), to_string(own_meshes(scene)));
+}
+
 TEST(PlanTest, PartsOfAPartAreThePart) {
   const std::vector<Job> all = jobs(scene_of(small_case()), default_catalogue());
   std::multiset<std::string> whole, parts;

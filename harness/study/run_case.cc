@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "cases/contract/status.h"
 #include "cases/scene/printable.h"
 #include "harness/analysis/told.h"
 #include "harness/provenance.h"
@@ -26,9 +27,8 @@ constexpr std::size_t most_told = 1000;  // [bytes] of a failure's reason
 
 // Whether the answer is one: what failed, or grew beyond its limit, leaves no numbers behind.
 bool is_answer(const Trajectory& answer, const std::vector<Record>& marks) {
-  return answer.status == Status::ok && std::ranges::none_of(marks, [](const Record& r) {
-           return r.status == "unstable" || r.status == "not_finite";
-         });
+  return answer.status == Status::ok &&
+         std::ranges::none_of(marks, [](const Record& r) { return is_unstable(r.status) || r.status == "not_finite"; });
 }
 
 // Every n-th sample.
@@ -198,11 +198,11 @@ class CaseRun {
     const Integrator& integrator = catalogue_.integrator(record.contender.integrator);
     const Grown grown =
         growth_of(ready.reduction.get(), integrator, record.contender.settings.time_step, scene_->duration);
-    const bool past = is_past_its_limit(records, integrator, grown, grader.energy_fed(answer));
+    const Limit limit = kept_limit(records, integrator, grown, grader.energy_fed(answer));
     if (const Prepared* closed = bench_.closed_form(record.contender, ready))
       std::ranges::move(grader.marks_of_steps(record, answer, closed->simulate({.t = answer.t}), closed->load_error()),
                         std::back_inserter(records));
-    if (past) name_unstable(records);
+    if (limit != Limit::kept) name_unstable(records, limit);
     if (is_answer(answer, records))
       store_.write_trajectory(record.run,
                               thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));
@@ -217,7 +217,7 @@ class CaseRun {
     std::string said = fmt::format("error {:.2e}", std::nan("")), time;
     for (const Record& r : records) {
       if (r.metric == "displacement-error" && r.truth == "finer")
-        said = r.status == "unstable" ? "unstable, no trajectory kept" : fmt::format("error {:.2e}", r.value);
+        said = is_unstable(r.status) ? r.status + ", no trajectory kept" : fmt::format("error {:.2e}", r.value);
       if (r.metric == "online-time") time = fmt::format(" · {:.3g} s", r.value);
     }
     progress_(fmt::format("{} {} · {} · {}{}", count, scene_->name, job.label, said, time));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "cases/contract/status.h"
 #include "cases/scene/printable.h"
 #include "harness/provenance.h"
 #include "harness/study/identity.h"
@@ -28,9 +29,8 @@ StoredJob stored_tables(const Job& job, const Store& store) {
 
 // What left an answer left its motion (run_case.cc).
 bool is_answer(const std::vector<Record>& marks) {
-  return !marks.empty() && std::ranges::all_of(marks, [](const Record& r) {
-    return r.status == "ok" || r.status.starts_with("undefined");
-  });
+  return !marks.empty() &&
+         std::ranges::all_of(marks, [](const Record& r) { return r.status == "ok" || is_undefined(r.status); });
 }
 
 // What is wrong with the motion of a run, if anything is: all of it is read.
@@ -65,7 +65,7 @@ StoredJob stored_marks(const Job& job, const Store& store) {
 }  // namespace
 
 bool is_failure(const Record& record) {
-  return record.status != "ok" && record.status != "unstable" && !record.status.starts_with("undefined");
+  return record.status != "ok" && !is_unstable(record.status) && !is_undefined(record.status);
 }
 
 Record failed_truth(const Scene& scene, const std::string& reason) {

@@ -33,12 +33,14 @@ void check_frequencies(const Modes& found) {
         i < found.n_rigid ? omega == 0 : std::isfinite(omega) && omega > 0 && (i == 0 || omega >= found.omega(i - 1));
     if (!legal)
       throw GateFailure(fmt::format("mode {}: omega = {} rad/s is no frequency or out of order", i + 1, omega));
-    // Below, rounding may be larger than a hundredth of lambda, and the bound on the residual would say nothing.
-    if (i >= found.n_rigid && 0.01 * omega * omega < rounding * found.lambda_max)
-      throw GateFailure(
-          fmt::format("mode {} (omega = {:.3g} rad/s) is rigid to working precision (lambda/lambda_max = "
-                      "{:.1e}) but not among the rigid modes",
-                      i + 1, omega, omega * omega / found.lambda_max));
+    // Below, rounding may be larger than a hundredth of lambda, and the bound on the residual would certify nothing.
+    const double doubt = rounding * found.lambda_max / (omega * omega);
+    if (i >= found.n_rigid && doubt > 0.01)
+      throw GateFailure(fmt::format(
+          "mode {} (omega = {:.3g} rad/s) is so near to zero beside the highest of its mesh (lambda/lambda_max "
+          "= {:.1e}) that rounding may make {:.2g} % of its lambda, and its residual would certify nothing: "
+          "at most 1 % (fewer or even cells, or bodies of their own, are better conditioned)",
+          i + 1, omega, omega * omega / found.lambda_max, 100 * doubt));
   }
 }
 
