@@ -1,10 +1,11 @@
 #include "reports/number.h"
-#include "cases/contract/status.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "cases/contract/status.h"
 
 namespace mb {
 namespace {
