@@ -19,7 +19,7 @@ function(hash_of variable)
   set(text "")
   foreach(place IN LISTS ARGN)   # a folder or a file
     file(GLOB_RECURSE files ${ROOT}/${place}/*.h ${ROOT}/${place}/*.cc ${ROOT}/${place})
-    list(FILTER files EXCLUDE REGEX "_(test|bench|fuzz)\\.(h|cc)$|/(estimate|definitions)\\.(h|cc)$")   # which decide no result
+    list(FILTER files EXCLUDE REGEX "_(test|bench|fuzz)\\.(h|cc)$|/(estimate|definitions|case_files)\\.(h|cc)$")   # which decide no result
     if(NOT files)
       message(FATAL_ERROR "no source at ${place}")
     endif()
