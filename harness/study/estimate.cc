@@ -163,10 +163,18 @@ constexpr double program = (256 + 3 * 128) << 20;
 constexpr double most_dense = 6000;  // unknowns that dense solvers take
 constexpr double few_modes = 24;     // [-] at most, of methods without a mode count: quadratic strain
 
-double of_mesh(const Mesh& mesh) { return mesh.n * (300 * std::pow(mesh.degree + 2, 3) + 25 * mesh.front); }
+// Contact keeps what it finds of the inverse beside each of the factors, a column for each unknown that touches: most
+// of a face, or few where a graded mesh says that bodies meet at a point.
+double of_mesh(const Scene& scene, const Resolution& resolution) {
+  const Mesh mesh = mesh_of(scene, resolution);
+  const bool by_faces = !scene.contacts.empty() && resolution.graded == 0;
+  const double factors = (by_faces ? 70 : 35) * mesh.front;
+  return mesh.n * (300 * std::pow(mesh.degree + 2, 3) + factors);
+}
 
-// K, M, the matrix reduced by the factor of M, its eigenvectors, and these once more without their rigid part.
-double of_all_modes(double n) { return 7 * 8 * std::pow(std::min(n, most_dense), 2); }
+// K, M, the matrix reduced by the factor of M, its eigenvectors, these once more without their rigid part, and what the
+// solver works in.
+double of_all_modes(double n) { return 9 * 8 * std::pow(std::min(n, most_dense), 2); }
 
 // 3 (r + spare) + 16 blocks of vectors and as many images under M, then r modes (modal/bases/shift_invert.cc); the last
 // of so few unknowns that these would span the system are found by a dense solver.
@@ -184,7 +192,7 @@ double of_answer(const Scene& scene) {
 constexpr double answers_of_marks = 5, answers_of_analyses = 12;  // [-] answers: 3.5 and a closed form, 11
 
 // The companion matrix of so many coupled modes, its Schur form, complex eigenvectors, these sorted and factorised.
-double of_coupled_modes(double n) { return 2 * 8 * 36 * std::pow(n, 2); }
+double of_coupled_modes(double n) { return 2 * 8 * 60 * std::pow(n, 2); }
 
 bool is_coupled(const Body& body) { return !body.dashpots.empty(); }
 
@@ -212,17 +220,15 @@ double of_basis(const Scene& scene, const Contender& contender) {
 }  // namespace
 
 double memory(const Scene& scene) {
-  std::array<double, 3> meshes{of_mesh(mesh_of(scene, scene.truth.finer)), of_mesh(mesh_of(scene, scene.truth.coarser)),
-                               of_mesh(mesh_of(scene, own_meshes(scene)))};
+  std::array<double, 3> meshes{of_mesh(scene, scene.truth.finer), of_mesh(scene, scene.truth.coarser),
+                               of_mesh(scene, own_meshes(scene))};
   std::ranges::sort(meshes, std::greater());
   return meshes[0] + meshes[1] + memory_of_answers(scene) + program;
 }
 
 double memory_of_answers(const Scene& scene) { return 5 * of_answer(scene); }
 
-double memory(const Scene& scene, const Resolution& mesh) {
-  return of_mesh(mesh_of(scene, mesh)) + of_answer(scene) + program;
-}
+double memory(const Scene& scene, const Resolution& mesh) { return of_mesh(scene, mesh) + of_answer(scene) + program; }
 
 double memory(const Scene& scene, const Contender& contender) {
   return memory(scene, contender.resolution) + of_basis(scene, contender);
@@ -231,8 +237,9 @@ double memory(const Scene& scene, const Contender& contender) {
 double memory_of_modes(const Scene& scene, const Body& body, double n_modes) {
   Scene alone = scene;
   alone.bodies = {body};
-  const Mesh mesh = mesh_of(alone, body.resolution);
-  return of_mesh(mesh) + of_modes(mesh.n, n_modes) + program;
+  alone.contacts.clear();  // nothing is stepped
+  return of_mesh(alone, body.resolution) + of_modes(n_dofs(body.shape, body.resolution, body.theory), n_modes) +
+         program;
 }
 
 double memory(const Scene& scene, const Job& job) {

@@ -28,16 +28,17 @@ Estimate estimate(const Scene& scene, const Catalogue& catalogue);
 
 // [byte] of memory at the peak, likewise before anything is allocated:
 //
-//   a mesh      n (300 (p + 2)^3 + 25 f) B    matrices and what they are made of; factors
+//   a mesh      n (300 (p + 2)^3 + 35 f) B    matrices and what they are made of; factors. 70 f where
+//                                             faces may touch: responses to their forces beside them
 //   r modes     8 n (7 r + 400) B             Lanczos vectors and their images, the modes, what the gate makes of them
-//   all modes   56 n^2 B                      a dense solver: of more than a third of all, or the closed form of `full`
+//   all modes   72 n^2 B                      a dense solver: of more than a third of all, or the closed form of `full`
 //   states      32 k B a sample               of k unknowns: u, v and theirs in modes
 //   answers     8 B (3 points + 6 strained points) samples of each body; and 256 MiB
-//   complex     576 k^2 B                     of k modes coupled by a dashpot, in closed form
+//   complex     960 k^2 B                     of k modes coupled by a dashpot, in closed form
 //   marks       4 answers, and 12 an analysis: frames, weights and spectra beside them
 //   two truths  the dearest mesh and the next, computed at a time, and 5 answers
 //
-// Meshes: within a third of what cylinders of 7,500 to 67,000 degrees of freedom took, p = 2 to 4. Modes: counted, as
+// Measured: what a run takes at its peak grows by a quarter to all of this (memory_peak_test.cc). Modes: counted, as
 // allocated at once.
 double memory(const Scene& scene);                                             // of the truths
 double memory_of_answers(const Scene& scene);                                  // theirs alone, once they are there

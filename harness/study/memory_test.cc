@@ -5,7 +5,6 @@
 #include "cases/scene/case_files.h"
 #include "cases/scene/resolution.h"
 #include "harness/catalogue.h"
-#include "harness/process_test.h"
 #include "harness/program_test.h"
 #include "harness/store/file.h"
 #include "harness/store/scratch_folder_test.h"
@@ -112,32 +111,6 @@ TEST(Memory, EstimateCountsModesAndDenseMatrices) {
   EXPECT_GT(of_full("exact"), of_full("newmark") + 5 * 8 * k * k);
   EXPECT_EQ(memory(scene, Contender{"full-order", "newmark", small, {}}), memory(scene, small));
   EXPECT_GT(memory_of_modes(scene, body, 64), memory_of_modes(scene, body, 8));
-}
-
-// Samples, not meshes: with these the memory grows by what is estimated at most, and by a quarter of it at least.
-TEST(MemoryCases, GrowsWithSamplesNoFasterThanEstimated) {
-  const ScratchFolder folder;
-  std::vector<double> peak, estimated;
-  for (const int rate : {5000, 25000}) {  // [1/s] for 0.1 s
-    std::string words = small_case("1");
-    for (const auto& [from, to] :
-         {std::pair<std::string, std::string>{"second = 200", fmt::format("second = {}", rate)},
-          {"[study]\n", "[study]\nanalyses = [\"budget\", \"aliasing\", \"probe-extremes\"]\n"}})
-      words.replace(words.find(from), from.size(), to);
-    const fs::path file = folder / fmt::format("{}.toml", rate);
-    written(file, words);
-    Process run(folder.path(), {"run", file.string(), "--untimed", "--store", fmt::format("of-{}", rate)});
-    ASSERT_EQ(run.code(), 0) << run.err();
-    peak.push_back(run.most_memory());
-    const Scene scene = read_toml(file, default_catalogue().vocabulary());
-    double most = 0;
-    for (const Job& job : jobs(scene, default_catalogue())) most = std::max(most, memory(scene, job));
-    estimated.push_back(std::max(memory(scene), memory_of_answers(scene) + most));
-  }
-  const double grown = peak[1] - peak[0], expected = estimated[1] - estimated[0];
-  EXPECT_LT(grown, expected);
-  EXPECT_GT(grown, expected / 4);
-  EXPECT_LT(peak[1], estimated[1]);
 }
 
 TEST(Memory, EveryCaseFitsASmallMachineInEveryProfile) {
