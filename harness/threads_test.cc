@@ -20,12 +20,23 @@ void expect_near(double a, double b, double tolerance, const std::string& what) 
   }
 }
 
-void expect_near(const Finding& a, const Finding& b, double tolerance) {
+// The largest finite number of a column: its unit is of no account.
+double size_of_column(const Finding& a, size_t j) {
+  double largest = 0;
+  for (const auto& row : a.rows)
+    if (const auto* const value = std::get_if<double>(&row[j]); value && std::isfinite(*value))
+      largest = std::max(largest, std::abs(*value));
+  return largest;
+}
+
+// Cells of tables, of the largest in their column.
+void expect_near(const Finding& a, const Finding& b, double relative) {
   ASSERT_EQ(a.rows.size(), b.rows.size()) << a.name;
   ASSERT_EQ(a.bars.size(), b.bars.size()) << a.name;
   for (size_t i = 0; i < a.rows.size(); ++i)
     for (size_t j = 0; j < a.columns.size(); ++j) {
       const std::string what = fmt::format("{}, row {}, {}", a.name, i + 1, a.columns[j].name);
+      const double tolerance = relative * size_of_column(a, j);
       ASSERT_EQ(a.rows[i][j].index(), b.rows[i][j].index()) << what;
       if (a.rows[i][j].index() == 0) {
         EXPECT_EQ(a.rows[i][j], b.rows[i][j]) << what;

@@ -61,6 +61,10 @@ TEST(ReadStudy, rivals_without_degrees_and_cells_are_of_the_bodies_own_meshes) {
   is_refused("degrees = [2]\n", "'cells'");
   is_refused("cells = [[0, 2]]\n", "'degrees'");
   is_refused("graded = 1\n", "'graded' needs 'degrees' and 'cells'");
+  std::string two = test::content(test::cases_folder() / "ball-on-two-by-four.toml");
+  two.insert(two.find("[[study.rival]]"),
+             "[[study.rival]]\nintegrator = \"newmark\"\ntime_steps = [1e-4]\nsecond_cells = [[8, 2, 1]]\n");
+  EXPECT_NE(problems_of_text(two).find("'second_cells' needs 'degrees' and 'cells'"), std::string::npos);
 }
 
 TEST(ReadStudy, rivals_of_adaptive_integrators_take_tolerances) {

@@ -189,6 +189,19 @@ TEST_F(AnalysesCases, FrequencyResponsesConvergeAndPeakAtTheFirstMode) {
     EXPECT_NEAR(row.number("frequency"), first * std::sqrt(1 - 2 * 0.02 * 0.02), 1e-4 * first);
 }
 
+// As far as the mesh moves the first frequency, and a height in proportion to its compliance, 1/f^2.
+TEST_F(AnalysesCases, PeaksOfFrequencyResponsesHaveBarsOfTheMesh) {
+  const Finding& peaks = *rows("frequency-response-peaks").front().table;
+  ASSERT_EQ(peaks.bars.size(), peaks.rows.size());
+  for (size_t i = 0; i < peaks.rows.size(); ++i) {
+    const double f = std::get<double>(peaks.rows[i][3]), height = std::get<double>(peaks.rows[i][4]);
+    const double of_f = peaks.bars[i][3] / f, of_height = peaks.bars[i][4] / height;
+    EXPECT_GT(of_f, 1e-5);
+    EXPECT_LT(of_f, 0.3);
+    EXPECT_NEAR(of_height, 2 * of_f, 0.5 * of_height);
+  }
+}
+
 TEST_F(AnalysesCases, FramesOfExactMeansAliasLessAndDroopMore) {
   for (const Row& row : rows("aliasing")) {
     const std::string what = row.text("contender") + " " + row.text("shutter");

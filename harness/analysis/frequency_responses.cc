@@ -47,10 +47,12 @@ Finding errors_table() {
 }
 
 Finding peaks_table() {
-  return table("frequency-response", "frequency-response-peaks", "Highest peak of the frequency response",
-               "Near the largest of the frequencies looked at in full order, by golden section to 1e-4 in frequency. "
-               "Amplitude: for a load of unit factor.",
-               {{"contender", ""}, {"load", ""}, {"modes r", ""}, {"frequency", "Hz"}, {"amplitude", "m"}});
+  return table(
+      "frequency-response", "frequency-response-peaks", "Highest peak of the frequency response",
+      "Near the largest of the frequencies looked at in full order, by golden section to 1e-4 in frequency. "
+      "Amplitude: for a load of unit factor. Bars: how far another mesh of the case moves the peak of the most "
+      "modes with static correction.",
+      {{"contender", ""}, {"load", ""}, {"modes r", ""}, {"frequency", "Hz"}, {"amplitude", "m"}});
 }
 
 std::string load_name(const Scene& scene, Index load) {
@@ -81,7 +83,21 @@ Answer answer(const std::string& contender, double r, bool is_drawn, const Respo
   return a;
 }
 
-// Full order first, then every mode count, without and with static correction.
+struct Reduced {
+  double r;  // modes used
+  Response plain, corrected;
+};
+// Without and with static correction. static_response: of the loads, n x L.
+Reduced reduced(const ModalBody& body, const RowVectorXd& probe, int r, const MatrixXd& static_response) {
+  const Modes modes = leading(body.modes, r);
+  const Response plain =
+      of_system(std::make_shared<System>(project(body.system, modes)), RowVectorXd(probe * modes.Phi));
+  const RowVectorXcd rest = (probe * residual_flexibility(modes, body.system.F, static_response)).cast<Complex>();
+  return {static_cast<double>(modes.size() - modes.n_rigid), plain,
+          [=](double at) -> RowVectorXcd { return plain(at) + rest; }};
+}
+
+// Full order first, then every mode count; that with static correction of the most modes last.
 std::vector<Answer> answers(const ModalBody& body, const RowVectorXd& probe, const VectorXd& f,
                             const std::vector<int>& counts) {
   const Index n_loads = body.system.F.cols();
@@ -90,17 +106,24 @@ std::vector<Answer> answers(const ModalBody& body, const RowVectorXd& probe, con
   std::vector<Answer> all;
   all.push_back(answer("full order", nan, true, of_system(std::make_shared<System>(body.system), probe), f, n_loads));
   for (const int r : counts) {
-    const Modes modes = leading(body.modes, r);
-    const auto used = static_cast<double>(modes.size() - modes.n_rigid);
     const bool is_drawn = std::find(drawn.begin(), drawn.end(), r) != drawn.end();
-    const Response plain =
-        of_system(std::make_shared<System>(project(body.system, modes)), RowVectorXd(probe * modes.Phi));
-    const RowVectorXcd rest = (probe * residual_flexibility(modes, body.system.F, static_response)).cast<Complex>();
+    const auto [used, plain, corrected] = reduced(body, probe, r, static_response);
     all.push_back(answer("eigenmodes", used, is_drawn, plain, f, n_loads));
-    const Response corrected = [=](double at) -> RowVectorXcd { return plain(at) + rest; };
     all.push_back(answer("static-correction", used, is_drawn, corrected, f, n_loads));
   }
   return all;
+}
+
+RowVectorXd at_probe(const ModalBody& body, const Probe& probe) {
+  return probe.direction.transpose() * body.model.full->displacement_at(Matrix3Xd(probe.point));
+}
+
+// Of r modes with static correction on a mesh of the truth, coarser or, where that is the body's own, finer.
+Response on_another_mesh(const AnalysisContext& context, const Probe& probe, int r) {
+  const Scene& scene = *context.scene;
+  const bool is_own = scene.truth.coarser == own_meshes(scene);
+  const ModalBody body = modal_body(context, r, is_own ? scene.truth.finer : scene.truth.coarser);
+  return reduced(body, at_probe(body, probe), r, inertia_relief(body.system, body.shifted, body.system.F)).corrected;
 }
 
 // Tables of what a probe answers under every load.
@@ -119,12 +142,22 @@ class Responses {
     const VectorXcd full = answers.front().u.col(load);
     Index k = 0;
     full.cwiseAbs().maxCoeff(&k);
-    const bool has_peak = has_peaks_ && k > 0 && k + 1 < f_.size();
+    if (has_peaks_ && k > 0 && k + 1 < f_.size()) add_peaks(answers, {load, f_(k - 1), f_(k + 1)});
     for (const Answer& a : answers) {
       if (a.is_drawn) draw(load, a);
-      if (a.is_drawn && has_peak) peak(load, a, k);
       if (!std::isnan(a.r)) mark(load, a, full);
     }
+  }
+  bool has_peaks() const { return !peaks_.rows.empty(); }
+  // What the mesh leaves open in peaks: their distance from those that another one answers by the same modes.
+  void bar_peaks(const Response& best_of_own, const Response& best_of_other) {
+    std::vector<std::vector<double>> bars;
+    for (const Bracket& at : brackets_) {
+      const Peak own = highest_of(best_of_own, at), other = highest_of(best_of_other, at);
+      const double wide = std::abs(other.at - own.at), high = std::abs(other.height - own.height);
+      for (Index i = 0; i < at.n_rows; ++i) bars.push_back({nan, nan, nan, wide, high});
+    }
+    peaks_.bars = std::move(bars);
   }
   std::vector<Finding> findings() && {
     std::vector<Finding> all{std::move(curves_), std::move(errors_)};
@@ -145,16 +178,29 @@ class Responses {
     errors_.rows.push_back(
         {load_name(scene_, load), a.contender, a.r, difference.norm() / full.norm(), largest, f_(at)});
   }
-  // Between the neighbours of the k-th frequency.
-  void peak(Index load, const Answer& a, Index k) {
-    const Peak peak = highest([&](double f) { return std::abs(a.response(f)(load)); }, f_(k - 1), f_(k + 1));
-    peaks_.rows.push_back({a.contender, load_name(scene_, load), a.r, peak.at, peak.height});
+  struct Bracket {
+    Index load;
+    double from, to;  // [Hz] neighbours of the frequency where the response is largest
+    Index n_rows = 0;
+  };
+  static Peak highest_of(const Response& response, const Bracket& at) {
+    return highest([&](double f) { return std::abs(response(f)(at.load)); }, at.from, at.to);
+  }
+  void add_peaks(const std::vector<Answer>& answers, Bracket at) {
+    for (const Answer& a : answers) {
+      if (!a.is_drawn) continue;
+      const Peak peak = highest_of(a.response, at);
+      peaks_.rows.push_back({a.contender, load_name(scene_, at.load), a.r, peak.at, peak.height});
+      ++at.n_rows;
+    }
+    brackets_.push_back(at);
   }
 
   const Scene& scene_;
   VectorXd f_;
   bool has_peaks_;
   Finding curves_, errors_, peaks_;
+  std::vector<Bracket> brackets_;  // of the loads with a peak
 };
 
 // Frequencies at which no steady response exists: those of the modes that nothing damps.
@@ -181,10 +227,11 @@ std::vector<Finding> frequency_responses(const AnalysisContext& context) {
   const double last = known(std::min<Index>(highest_mode, n_elastic) - 1);
   const VectorXd undamped = resonances(known, damping_ratios(body.system, body.modes));
   const VectorXd f = frequencies_between(known(0) / 5, last, n_frequencies, undamped);
-  const RowVectorXd at_probe = probe->direction.transpose() * body.model.full->displacement_at(Matrix3Xd(probe->point));
-  const std::vector<Answer> all = answers(body, at_probe, f, counts);
+  const std::vector<Answer> all = answers(body, at_probe(body, *probe), f, counts);
   Responses responses(scene, *probe, f, undamped.size() == 0);
   for (Index load = 0; load < body.system.F.cols(); ++load) responses.add(load, all);
+  if (responses.has_peaks())  // last: the context has one model at a time
+    responses.bar_peaks(all.back().response, on_another_mesh(context, *probe, counts.back()));
   return std::move(responses).findings();
 }
 

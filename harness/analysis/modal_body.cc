@@ -35,8 +35,12 @@ Model model_of_own_mesh(const std::shared_ptr<const Scene>& scene, const Resolut
 }
 
 ModalBody modal_body(const AnalysisContext& context, int n_elastic) {
+  return modal_body(context, n_elastic, own_meshes(*context.scene));
+}
+
+ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolution& meshes) {
   const Body& body = context.scene->bodies.front();
-  const Model& scene_model = context.model(own_meshes(*context.scene));
+  const Model& scene_model = context.model(meshes);
   const BodyModel& model = scene_model.bodies.front();
   const System& system = model.full->system();
   ShiftedFactor shifted = shifted_factor(system, physical_shift(body));

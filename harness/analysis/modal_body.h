@@ -25,8 +25,9 @@ struct ModalBody {
   ShiftedFactor shifted;
   Modes modes;
 };
-// With n_elastic elastic modes, if the body has as many.
+// With n_elastic elastic modes, if the body has as many; on its own mesh, or on that of a whole scene's.
 ModalBody modal_body(const AnalysisContext& context, int n_elastic);
+ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolution& meshes);
 
 // Of a mesh that the case does not state, so that nobody has asked yet whether it fits: throws std::runtime_error with
 // both numbers where it takes more memory than there is.

@@ -7,6 +7,7 @@
 #include "harness/analysis/oscillators_test.h"
 #include "harness/catalogue.h"
 #include "mechanics/algebra/dense_eigen.h"
+#include "mechanics/system/stability.h"
 
 namespace mb {
 namespace {
@@ -38,6 +39,19 @@ TEST(StabilityGrid, ExplicitStepsAreUnstableBeyondTheLimitOfTheirAmplification) 
         EXPECT_TRUE(one.found == StepClass::stable || factor > 0.02) << name << " " << factor;
       }
     }
+  }
+}
+
+// A cell without one is neither as predicted nor not: no check would see it.
+TEST(StabilityGrid, HasAPredictionForEveryIntegratorOfFixedStep) {
+  for (const Integrator& integrator : default_catalogue().integrators) {
+    if (integrator.knob != Integrator::Knob::time_step) continue;
+    for (const Rayleigh& damping : {Rayleigh{}, Rayleigh{1, 0}, Rayleigh{0, 1e-3}})
+      for (const bool is_lumped : {false, true}) {
+        System system = test::oscillators(omega, damping);
+        if (is_lumped) system.lumped_mass = system.M;
+        EXPECT_NE(scheme_of(integrator.name, system), nullptr) << integrator.name;
+      }
   }
 }
 

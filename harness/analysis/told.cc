@@ -21,11 +21,13 @@ TruthSet neighbour_of(const TruthSet& truth) {
 
 double number(const FindingCell& cell) { return cell.index() == 1 ? std::get<double>(cell) : nan; }
 
-// Of rows that tell of the same, which their texts and counts of settings say.
-bool same_texts(const std::vector<FindingCell>& a, const std::vector<FindingCell>& b) {
-  return std::ranges::equal(a, b, [](const FindingCell& x, const FindingCell& y) {
-    return x.index() == y.index() && (x.index() == 1 || x == y);
-  });
+// Of rows that tell of the same: their texts and counts before the first number that is measured. A verdict behind it
+// follows from numbers, and turns where they are not known well enough.
+bool tell_of_the_same(const std::vector<FindingColumn>& columns, const std::vector<FindingCell>& a,
+                      const std::vector<FindingCell>& b) {
+  for (std::size_t j = 0; j < columns.size() && columns[j].unit.empty(); ++j)
+    if (a[j].index() != b[j].index() || (a[j].index() == 0 && a[j] != b[j])) return false;
+  return true;
 }
 
 // Counts and settings are the same in both and have no bar.
@@ -43,7 +45,7 @@ void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighb
     if (finding.bars.empty()) finding.bars.assign(finding.rows.size(), std::vector(finding.columns.size(), nan));
     for (std::size_t i = 0; i < finding.rows.size(); ++i) {
       const auto &row = finding.rows[i], &beside = other->rows[i];
-      if (!same_texts(row, beside)) continue;
+      if (!tell_of_the_same(finding.columns, row, beside)) continue;
       for (std::size_t j = 0; j < row.size(); ++j)
         finding.bars[i][j] = std::fmax(finding.bars[i][j], distance(finding.columns[j], row[j], beside[j]));
     }

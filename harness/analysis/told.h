@@ -10,8 +10,8 @@ namespace mb {
 // Throws as the analysis does. Scenes with contact are not told twice: their budget has its own neighbours.
 std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& context);
 
-// bars = |cell - cell of the other| where tables, rows and all their texts are the same, else NaN; bars that a table
-// has of its own stay where they are larger.
+// bars = |cell - cell of the other| where tables, numbers of rows and the texts that a row begins with are the same,
+// else NaN; bars that a table has of its own stay where they are larger.
 void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours);
 
 // A column "standard error" becomes the bar of the fit in the column before it, unless that has a larger one.

@@ -31,6 +31,19 @@ TEST(AddBars, AreDistancesOfNumbersThatHaveAUnit) {
   EXPECT_TRUE(std::isnan(found[0].bars[0][1])) << "a count";
 }
 
+// What is not known well enough for its verdict has a bar more than anything.
+TEST(AddBars, DoNotDependOnVerdicts) {
+  const auto with_verdict = [](double value, const char* verdict) {
+    Finding finding = table("a", "a", "A", "", {{"of", ""}, {"error", "-"}, {"verdict", ""}});
+    finding.rows = {{"x", value, verdict}};
+    return finding;
+  };
+  std::vector<Finding> found{with_verdict(0.5, "holds")};
+  add_bars(found, {with_verdict(0.75, "fails")});
+  EXPECT_EQ(found[0].bars.at(0).at(1), 0.25);
+  EXPECT_TRUE(std::isnan(found[0].bars[0][2]));
+}
+
 TEST(AddBars, AreNoneWhereRowsTellOfSomethingElse) {
   const std::vector<std::vector<FindingCell>> rows{{"x", 4.0, 0.5}};
   std::vector<Finding> found{one(rows)};

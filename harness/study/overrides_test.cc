@@ -11,15 +11,15 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-Scene overridden(const std::vector<std::string>& assignments) {
+Scene overridden(const std::vector<std::string>& assignments, const std::string& words_of_case = small_case()) {
   const ScratchFolder scratch;
   const Vocabulary words = default_catalogue().vocabulary();
-  return Overrides(assignments, words).applied(read_toml(written(scratch / "small.toml", small_case()), words));
+  return Overrides(assignments, words).applied(read_toml(written(scratch / "small.toml", words_of_case), words));
 }
 
-std::string complaint(const std::vector<std::string>& assignments) {
+std::string complaint(const std::vector<std::string>& assignments, const std::string& words_of_case = small_case()) {
   try {
-    overridden(assignments);
+    overridden(assignments, words_of_case);
   } catch (const CaseErrors& errors) {
     return errors.what();
   }
@@ -97,6 +97,25 @@ TEST(OverridesTest, KeysThatNoContenderTakesAreRefused) {
   EXPECT_THAT(both, ::testing::Not(HasSubstr("takes 'modal.time_steps'")));
   EXPECT_THAT(complaint({"modal.integrators=newmark", "modal.time_steps=0.01", "modal.methods=full", "modal.modes=3"}),
               HasSubstr("no contender of the study takes 'modal.modes'"));
+}
+
+// A rival on the bodies' own meshes keeps them, beside one that does not and alone.
+TEST(OverridesTest, RivalsOnTheBodiesOwnMeshesTakeNoOther) {
+  const std::string own = "[[study.rival]]\nintegrator = \"newmark\"\ntime_steps = [3e-3]\n";
+  const Scene beside =
+      overridden({"rival.degrees=2", "rival.cells=1x4", "rival.time_steps=1e-3"}, small_case_with("\n" + own));
+  ASSERT_EQ(beside.study.rivals.size(), 2u);
+  EXPECT_THAT(beside.study.rivals[0].degrees, ElementsAre(2));
+  EXPECT_THAT(beside.study.rivals[0].cells, ElementsAre(ElementsAre(1, 4)));
+  EXPECT_TRUE(beside.study.rivals[1].degrees.empty());
+  EXPECT_TRUE(beside.study.rivals[1].cells.empty());
+  for (const Rival& rival : beside.study.rivals) EXPECT_THAT(rival.time_steps, ElementsAre(1e-3));
+  std::string alone = small_case();
+  const size_t at = alone.find("[[study.rival]]");
+  alone.replace(at, alone.find("[[check]]") - at, own);
+  for (const char* key : {"rival.degrees=2", "rival.cells=1x4"})
+    EXPECT_THAT(complaint({key}, alone),
+                HasSubstr("no contender of the study takes '" + std::string(key).substr(0, 11)));
 }
 
 // Words that are valid alone, in what is left of the case.

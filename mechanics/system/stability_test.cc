@@ -243,15 +243,34 @@ TEST(StabilityVerification, UndampedExplicitEulerGrowsAtEveryStep) {
   }
 }
 
+// The n-th power of the matrix, of which a double eigenvalue, at critical damping, has no growth of its own.
+constexpr double ulp = std::numeric_limits<double>::epsilon();
+constexpr double ratios[] = {0.02, 0.5, 1 - ulp / 2, 1.0, 1 + ulp, 1e8};
+void expect_power(const std::string& name, Make make, double omega_h, double zeta, DampedBy by) {
+  constexpr int n = 20;
+  const Matrix2d A = scheme(name).amplification(omega_h, zeta);
+  Matrix2d expected = Matrix2d::Identity();
+  for (int i = 0; i < n; ++i) expected = A * expected;
+  const Matrix2d power = after(make, two_masses(zeta, by, false), omega_h / 3, n);
+  EXPECT_LT((power - expected).norm(), 1e-9 * expected.norm() + 1e-15)  // where a step leaves nothing of the start
+      << name << ", zeta " << zeta << ", omega h " << omega_h;
+}
+
 TEST(StabilityVerification, NewmarkDecaysAsItsSchemeSays) {
-  for (const double omega_h : {0.3, 2.0, 40.0})
-    for (const double zeta : {0.02, 0.5}) {
-      const Matrix2d A = scheme("newmark").amplification(omega_h, zeta);
-      Matrix2d expected = Matrix2d::Identity();
-      for (int i = 0; i < 20; ++i) expected = A * expected;
-      const Matrix2d power = after(newmark, two_masses(zeta, DampedBy::stiffness, false), omega_h / 3, 20);
-      EXPECT_LT((power - expected).norm(), 1e-9 * expected.norm()) << omega_h << ", zeta " << zeta;
-    }
+  for (const double omega_h : {0.3, 2.0, 40.0, 1e4})
+    for (const double zeta : ratios) expect_power("newmark", newmark, omega_h, zeta, DampedBy::stiffness);
+}
+
+TEST(StabilityVerification, EulersStepAsTheirSchemesSayAtExtremeDamping) {
+  for (const double zeta : ratios)
+    for (const double share : {0.5, 0.99, 1.01, 1.5})
+      for (const DampedBy by : {DampedBy::mass, DampedBy::stiffness, DampedBy::mode}) {
+        const auto of = [&](const char* name, Make make) {
+          expect_power(name, make, share * stable_omega_h(scheme(name), zeta), zeta, by);
+        };
+        of("explicit-euler", explicit_euler);
+        of("symplectic-euler", symplectic_euler);
+      }
 }
 
 }  // namespace

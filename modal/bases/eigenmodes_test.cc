@@ -179,6 +179,17 @@ TEST(LowestModes, KeepMultipletsWhole) {
     EXPECT_EQ(lowest_modes(cube, asked, -0.01).size(), 6 + kept) << asked;
 }
 
+// However many are asked for: those and what belongs to the last of them, no more.
+TEST(LowestModes, EndWhereAMultipletDoes) {
+  const System cube = box_system({.cells = {4, 4, 4}}).system;
+  const VectorXd lambda = lowest_modes(cube, 60, -0.01).omega.array().square();
+  for (int asked = 1; asked <= 48; ++asked) {
+    Index end = 6 + asked;
+    while (lambda[end] < (1 + 1e-6) * lambda[end - 1]) ++end;
+    EXPECT_EQ(lowest_modes(cube, asked, -0.01).size(), end) << asked;
+  }
+}
+
 // A pair of a slender bar: rounding of a spectrum eleven decades wide splits it by more than any fixed gap.
 TEST(LowestModes, KeepWholeWhatRoundingSplits) {
   const VectorXd lambda{{100, 100.003, 400}};
