@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace mb {
 namespace {
 
@@ -54,6 +57,25 @@ TEST(SymmetricProduct, EqualsTheMatrixWhateverItsForm) {
   m.makeCompressed();
   expect_product(m);
   expect_product(SparseMatrix(0, 0));
+}
+
+// Of nodes that all three components couple, as in a solid, in rows that come in any order and with a few that are not
+// stored.
+TEST(SymmetricProduct, EqualsAMatrixOfBlocks) {
+  constexpr Index n = 7;
+  MatrixXd dense = MatrixXd::Zero(3 * n, 3 * n);
+  const auto entry = [](Index i, Index j) {
+    return std::sin(static_cast<double>(1 + 3 * std::min(i, j) + 7 * std::max(i, j)));
+  };
+  for (Index a = 0; a < n; ++a)
+    for (Index b = 0; b < n; ++b)
+      if ((a + b) % 3 != 1 || a == b)
+        for (Index i = 3 * a; i < 3 * a + 3; ++i)
+          for (Index j = 3 * b; j < 3 * b + 3; ++j) dense(i, j) = entry(i, j);
+  expect_product(dense.sparseView());
+  dense(0, 4) = dense(4, 0) = dense(7, 7) = 0;
+  expect_product(dense.sparseView());
+  expect_product(dense.topLeftCorner(3 * n - 1, 3 * n - 1).sparseView());  // a node of two components
 }
 
 }  // namespace
