@@ -183,7 +183,7 @@ function(mb_fuzz name source)
   add_executable(${name}_fuzz ${source} ${ARG_UNPARSED_ARGUMENTS})
   target_link_libraries(${name}_fuzz PRIVATE mb_warnings ${ARG_LINK})
   foreach(library ${name}_fuzz ${ARG_LINK})   # libFuzzer follows the branches and comparisons of what readers run through
-    if(library MATCHES "^mb_(mechanics|cases)$|_fuzz$")
+    if(library MATCHES "^mb_(mechanics|cases|store)$|_fuzz$")
       target_compile_options(${library} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
   endforeach()

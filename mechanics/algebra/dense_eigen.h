@@ -1,4 +1,4 @@
-// Dense eigenproblems, compiled once: Eigen's solvers take seconds in each source that names them.
+// Dense eigenproblems, by LAPACK, and singular values, by Eigen: compiled once, they take seconds in each source.
 //
 //   A x = lambda x, A symmetric        K x = lambda M x, x^T M x = 1        A = U diag(sigma) V^T
 //

@@ -35,6 +35,17 @@ Location locate(const Discretisation& d, const Cell& cell, const Point& x) {
   }
 }
 
+// No other cell holds the point, or comes nearer to it: it lies well within the faces that others share, ten times as far
+// as it is outside of those that none does. Inversions for far cells fail, and deal.II traces each failure's calls.
+bool is_this_alone(const Cell& cell, const Location& here) {
+  const double margin = 10 * here.outside + 1e-6;
+  for (unsigned k = 0; k < 3; ++k) {
+    if (here.xi[k] < margin && !cell->face(2 * k)->at_boundary()) return false;
+    if (here.xi[k] > 1 - margin && !cell->face(2 * k + 1)->at_boundary()) return false;
+  }
+  return here.outside < 0.05;
+}
+
 struct Located {
   Cell cell;
   Point xi;
@@ -64,6 +75,7 @@ class Cells {
       if (here.outside < outside || (here.outside == outside && i < best.first)) {
         best = {i, here.xi};
         outside = here.outside;
+        if (is_this_alone(cells_[i].cell, here)) break;
       }
     }
     // The faces of the coarsest linear meshes lie below the true surface: five blocks of a disc by 0.7 of a cell, seven

@@ -19,17 +19,20 @@ constexpr double expression_resolved = 0.01;  // [-] of its mean and its own siz
 constexpr double overrated = 100;             // [-] a scale over what the motion reaches: run again
 constexpr int most_runs = 8;
 
+double mass_of(const System& system) { return system.M.sum() / 3; }
+
 // sqrt(x.A x / m), m the body's mass where it is free; a scale is all that is needed. Of a nearly rigid x rounding may
 // fall below 0.
-double norm_per_mass(const System& system, const SparseMatrix& A, const VectorXd& x) {
-  const double square = x.dot(A * x) / (system.M.sum() / 3);
+double norm_per_mass(const VectorXd& x, const VectorXd& Ax, double mass) {
+  const double square = x.dot(Ax) / mass;
   return std::isfinite(square) ? std::sqrt(std::max(0.0, square)) : square;
 }
 
 // Sizes that the motion can reach, in the M norm per root mass: with T the duration, the initial state and the
 // responses to each load at its peak and to the initial velocity of  (K + M/T^2) x = F max|s|, by M + T^2 K.
 ark::Scales motion_scales(const System& system, double duration, const Shifted& shifted) {
-  const auto norm = [&](const SparseMatrix& A, const VectorXd& x) { return norm_per_mass(system, A, x); };
+  const double mass = mass_of(system);
+  const auto norm = [&](const SparseMatrix& A, const VectorXd& x) { return norm_per_mass(x, A * x, mass); };
   VectorXd x = VectorXd::Zero(system.u0.size());
   ark::Scales scale{norm(system.M, system.u0), norm(system.M, system.v0) + norm(system.K, system.u0)};
   for (Index l = 0; l < system.F.cols(); ++l) {
@@ -38,7 +41,7 @@ ark::Scales motion_scales(const System& system, double duration, const Shifted& 
     scale.velocity += norm(system.K, x) + norm(system.M, x) / duration;
   }
   shifted.solve(system.M * system.v0, x);
-  scale.displacement += std::sqrt(std::max(0.0, system.v0.dot(system.M * x) / (system.M.sum() / 3))) * duration;
+  scale.displacement += std::sqrt(std::max(0.0, system.v0.dot(system.M * x) / mass)) * duration;
   if (!std::isfinite(scale.displacement) || !std::isfinite(scale.velocity))
     throw std::runtime_error("sundials: loads or initial state not finite");
   return {scale.displacement > 0 ? scale.displacement : 1, scale.velocity > 0 ? scale.velocity : 1};  // 1: at rest
@@ -96,12 +99,17 @@ class Sundials final : public Stepper {
 
  private:
   ark::Scales sizes(const States& states) const {
-    ark::Scales largest{0, 0};
-    for (Index k = 0; k < states.n_valid; ++k) {
-      largest.displacement = std::max(largest.displacement, norm_per_mass(system_, system_.M, states.u.col(k)));
-      largest.velocity = std::max(largest.velocity, norm_per_mass(system_, system_.M, states.v.col(k)));
-    }
-    return largest;
+    VectorXd Mx(system_.u0.size());
+    const double mass = mass_of(system_);
+    const auto largest = [&](const MatrixXd& X) {
+      double norm = 0;
+      for (Index k = 0; k < states.n_valid; ++k) {
+        parts_.M(X.col(k), Mx);
+        norm = std::max(norm, norm_per_mass(X.col(k), Mx, mass));
+      }
+      return norm;
+    };
+    return {largest(states.u), largest(states.v)};
   }
   States integrated(const VectorXd& times, const ark::Scales& scales) const {
     States out{MatrixXd(system_.u0.size(), times.size()), MatrixXd(system_.u0.size(), times.size()), {}, Status::ok, 0};
