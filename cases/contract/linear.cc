@@ -11,10 +11,20 @@ namespace mb {
 namespace {
 
 MatrixXd product(const MatrixXd& U, const MatrixXd& q) { return U * q; }
-// Time by time: a product with all of q at once would jump from column to column.
+// Some times at once, side by side: U is read once for all of them, and what it scatters to stays in the cache.
 MatrixXd product(const SparseMatrix& U, const MatrixXd& q) {
+  constexpr int at_once = 16;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, at_once, Eigen::RowMajor>;
   MatrixXd values(U.rows(), q.cols());
-  for (Index k = 0; k < q.cols(); ++k) values.col(k).noalias() = U * q.col(k);
+  Rows some = Rows::Zero(q.rows(), at_once), seen(U.rows(), at_once);
+  for (Index from = 0; from < q.cols(); from += at_once) {
+    const Index n = std::min<Index>(at_once, q.cols() - from);
+    some.leftCols(n) = q.middleCols(from, n);
+    seen.setZero();
+    for (Index j = 0; j < U.cols(); ++j)
+      for (SparseMatrix::InnerIterator u(U, j); u; ++u) seen.row(u.index()) += u.value() * some.row(j);
+    values.middleCols(from, n) = seen.leftCols(n);
+  }
   return values;
 }
 

@@ -53,7 +53,7 @@ PoissonSweep poisson_sweep(const Scene& scene, const std::vector<double>& ratios
   Resolution beside = of_body(scene.truth.finer, 0), finest;
   beside.degree = highest_degree;
   finest = beside;
-  for (int& n : finest.cells) n *= 2;
+  for (int& n : finest.cells) n = (3 * n + 1) / 2;
   PoissonSweep all{ratios, evaluation_points(scene, body).volume.weights, {}, {}, {}};
   for (const double nu : ratios) {
     if (!(nu > -1 && nu < 0.5)) throw std::invalid_argument(fmt::format("locking: Poisson's ratio {}", nu));

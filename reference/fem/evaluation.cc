@@ -35,8 +35,8 @@ Location locate(const Discretisation& d, const Cell& cell, const Point& x) {
   }
 }
 
-// No other cell holds the point, or comes nearer to it: it lies well within the faces that others share, ten times as far
-// as it is outside of those that none does. Inversions for far cells fail, and deal.II traces each failure's calls.
+// No other cell holds the point, or comes nearer to it: it lies well within the faces that others share, ten times as
+// far as it is outside of those that none does. Inversions for far cells fail, and deal.II traces each failure's calls.
 bool is_this_alone(const Cell& cell, const Location& here) {
   const double margin = 10 * here.outside + 1e-6;
   for (unsigned k = 0; k < 3; ++k) {
