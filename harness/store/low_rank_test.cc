@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/algebra/dense_eigen.h"
+
 namespace mb {
 namespace {
 
@@ -36,6 +38,29 @@ TEST(LowRank, ErrorStaysBelowTheTolerance) {
   ASSERT_TRUE(factors);
   EXPECT_EQ(factors->left.cols(), 2);
   EXPECT_LT((factors->left * factors->right - A).norm(), 1e-4 * A.norm());
+}
+
+// 200 waves whose sizes fall to 1e-20 of the first: more columns than are taken up at once, a rank that only the
+// tolerance decides. The best of that error, by Eckart & Young, is the singular value decomposition's.
+TEST(LowRank, OfManyColumnsIsNearlyTheBest) {
+  MatrixXd A = MatrixXd::Zero(500, 300);
+  for (int k = 1; k <= 200; ++k) {
+    const auto x = VectorXd::LinSpaced(500, 0, 3).array(), t = VectorXd::LinSpaced(300, 0, 3).array();
+    A += std::pow(10.0, -0.1 * k) * (k * x).sin().matrix() * (1.3 * k * t).cos().matrix().transpose();
+  }
+  const VectorXd sigma = singular_values(A);
+  for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const auto factors = low_rank(A, tolerance), of_times = low_rank(A.transpose(), tolerance);
+    ASSERT_TRUE(factors && of_times);
+    const Index best = (sigma.array() > tolerance * sigma[0]).count();
+    for (const auto& found : {*factors, *of_times}) {
+      EXPECT_GE(found.left.cols(), best);
+      EXPECT_LE(found.left.cols(), best + 2);  // a quarter of the error is kept for the basis
+    }
+    const double rounding = 1e-14;
+    EXPECT_LT(spectral_norm(factors->left * factors->right - A), (tolerance + rounding) * sigma[0]);
+    EXPECT_LT(spectral_norm(of_times->left * of_times->right - A.transpose()), (tolerance + rounding) * sigma[0]);
+  }
 }
 
 TEST(LowRank, ZeroHasRankOneAndStaysZero) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace mb {
@@ -48,6 +50,38 @@ TEST(DenseEigen, NormsAndSingularValuesAgree) {
           .norm(),
       1e-14);
   EXPECT_EQ(spectral_norm(MatrixXd(0, 4)), 0);
+}
+
+VectorXd sizes_of(const Eigen::VectorXcd& values) {
+  VectorXd sizes = values.cwiseAbs();
+  std::ranges::sort(sizes);
+  return sizes;
+}
+
+// Two libraries: LAPACK and Eigen. Both are backward stable, their eigenvalues off by some ten roundings of |A|; those
+// of A, which is not symmetric, by its condition more.
+TEST(DenseEigen, AgreesWithEigensOwn) {
+  srand(1);  // NOLINT: of Eigen's Random
+  const MatrixXd A = MatrixXd::Random(120, 120);
+  const VectorXd scale = VectorXd::LinSpaced(120, 0, -4).unaryExpr([](double e) { return std::pow(10.0, e); });
+  const MatrixXd graded =
+      scale.asDiagonal() * (A + A.transpose() + 30 * MatrixXd::Identity(120, 120)) * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> other(graded);
+  const EigenPairs pairs = symmetric_eigen(graded);
+  EXPECT_LT((pairs.values - other.eigenvalues()).cwiseAbs().maxCoeff(), 1e-13 * other.eigenvalues().maxCoeff());
+  EXPECT_LT((graded * pairs.vectors - pairs.vectors * pairs.values.asDiagonal()).norm(), 1e-13 * graded.norm());
+  EXPECT_LT((pairs.vectors.transpose() * pairs.vectors - MatrixXd::Identity(120, 120)).norm(), 1e-12);
+  const VectorXd seen = sizes_of(general_eigenvalues(A)),
+                 known = sizes_of(Eigen::EigenSolver<MatrixXd>(A, false).eigenvalues());
+  EXPECT_LT((seen - known).cwiseAbs().maxCoeff(), 1e-11 * known.maxCoeff());
+}
+
+TEST(DenseEigen, OfNothingIsNothingAndOfNoSquareNone) {
+  EXPECT_EQ(symmetric_eigen(MatrixXd(0, 0)).values.size(), 0);
+  EXPECT_EQ(general_eigenvalues(MatrixXd(0, 0)).size(), 0);
+  EXPECT_EQ(generalized_eigenvalues(MatrixXd(0, 0), MatrixXd(0, 0)).value().size(), 0);
+  EXPECT_THROW(symmetric_eigen(MatrixXd::Zero(2, 3)), std::invalid_argument);
+  EXPECT_THROW(general_eigenvalues(MatrixXd::Zero(3, 2)), std::invalid_argument);
 }
 
 TEST(DenseEigen, NamesWhatHasNone) {

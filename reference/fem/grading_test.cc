@@ -240,6 +240,21 @@ TEST(GradedAssembly, HoldsQuadraticFieldsExactly) {
   }
 }
 
+// Any continuous field is what its nodes say, at and next to these: corners, edges and faces that cells share, and
+// those of the surface, a little within it and outside. Seen from a cell that is not there it would be something else.
+TEST(Grading, FieldsAreSeenFromACellThatIsThere) {
+  for (const Graded& m : {Graded{box, {2, {1, 1, 2}, 2}, {0.03, 0.02, -0.25}}, Graded{sphere, {2, {1}, 2}, pole},
+                          Graded{cylinder, {1, {1, 2}, 3}, rim}}) {
+    const Discretisation d(m.shape, m.resolution, {m.focus});
+    const Supports free = condense(d, {});
+    const VectorXd u = free.T * VectorXd::Random(free.T.cols());
+    for (const double away : {0.0, -1e-6, 1e-6}) {
+      const VectorXd seen = displacement_at(d, (1 + away) * d.node_positions()) * u;
+      EXPECT_LT((seen - u).cwiseAbs().maxCoeff(), 1e-9 + 1e4 * std::abs(away)) << name(m) << " " << away;
+    }
+  }
+}
+
 TEST(Grading, RefusesWhatItCannotGrade) {
   const auto mesh = [](const Shape& shape, const Resolution& resolution, const std::vector<Vector3d>& foci) {
     return Discretisation(shape, resolution, foci).n_dofs();
