@@ -11,7 +11,7 @@ namespace mb {
 
 namespace {
 
-constexpr double step_tolerance = 1e-5;  // [-] of the adaptive steps
+constexpr double step_tolerance = 1e-6;  // [-] of the adaptive steps
 constexpr long steps_of_vibration = 1000;
 constexpr double below = 0.99, past = 1.01, far_past = 1000;  // [-] steps over the limit of central differences
 

@@ -22,7 +22,7 @@ struct SolvedBody {
 SolvedBody solved_body(const Scene& scene, int n_modes);
 
 struct ModesAgainstSteps {
-  double off, bar;                     // [-] against steps at rtol 1e-5; its distance to that against 1e-4
+  double off, bar;                     // [-] against steps at rtol 1e-6; its distance to that against 1e-5
   double newmark_far_past;             // [-] energy at 1000 times the limit of central differences
   double central_below, central_past;  // [-] of these at 0.99 and 1.01 of it
 };

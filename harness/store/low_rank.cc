@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "mechanics/algebra/dense_eigen.h"
 
@@ -66,7 +67,7 @@ std::optional<LowRank> low_rank_of_tall(const MatrixXd& A, double tolerance) {
 
 }  // namespace
 
-std::optional<LowRank> low_rank(const MatrixXd& A, double tolerance) {
+std::optional<LowRank> low_rank(const MatrixXd& A, double tolerance) try {
   if (A.size() == 0 || !A.allFinite()) return std::nullopt;
   std::optional<LowRank> factors;
   if (A.rows() >= A.cols()) {
@@ -79,6 +80,8 @@ std::optional<LowRank> low_rank(const MatrixXd& A, double tolerance) {
   const double bound = (tolerance + 1e-13) * std::sqrt(static_cast<double>(std::min(A.rows(), A.cols()))) * A.norm();
   if (!((factors->left * factors->right - A).norm() <= bound)) return std::nullopt;
   return factors;
+} catch (const std::runtime_error&) {  // a decomposition that does not converge: A is kept as it is
+  return std::nullopt;
 }
 
 }  // namespace mb
