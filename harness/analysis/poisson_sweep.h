@@ -22,7 +22,8 @@ struct PoissonSweep {
   std::vector<double> ratios;
   VectorXd weights;                                 // [m^3] of the evaluation points
   std::map<int, std::vector<SweptAnswer>> answers;  // by degree, one a ratio
-  std::vector<SweptAnswer> truths, beside;  // one a ratio: on half as many cells again as the finer mesh has, and on its own
+  // One a ratio: on half as many cells again as the finer mesh has, and on its own.
+  std::vector<SweptAnswer> truths, beside;
 };
 // ratios in (-1, 1/2). Throws std::invalid_argument for other bodies than boxes of one isotropic material, and where no
 // load deforms the body.
