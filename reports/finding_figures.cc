@@ -7,7 +7,8 @@ std::vector<Figure> finding_figures(const Finding& finding) {
   std::vector<Figure> all;
   if (finding.name == "step-limits") all = step_limit_figures(finding);
   if (finding.name == "stability-map") all = stability_figures(finding);
-  if (finding.name == "contact-stability") all = contact_stability_figures(finding);
+  if (finding.name == "contact-stability" || finding.name == "corrected-stability")
+    all = contact_stability_figures(finding);
   if (finding.name == "aliasing") all = aliasing_figures(finding);
   if (finding.name == "frequency-response") all = frequency_response_figures(finding);
   if (finding.name == "budget") all = budget_figures(finding);

@@ -79,9 +79,11 @@ std::vector<Figure> stability_figures(const Finding& finding) {
 }
 
 std::vector<Figure> contact_stability_figures(const Finding& finding) {
+  const char* corrected = finding.name == "corrected-stability" ? " with static correction" : "";
   return maps_over(finding, "stiffness factor", "stiffness of the layer over the scene's",
-                   "stable, inaccurate and unstable steps in contact; dashes the limit by one linearised step, "
-                   "dots a lower bound of it: beyond alone may steps gain a tenth where the layer opens");
+                   "stable, inaccurate and unstable steps in contact" + std::string(corrected) +
+                       "; dashes the limit by one linearised step, "
+                       "dots a lower bound of it: beyond alone may steps gain a tenth where the layer opens");
 }
 
 }  // namespace mb

@@ -53,7 +53,8 @@ inline Vocabulary vocabulary() {
            {"probe-extremes", "probe-extremes"},
            {"slenderness", "slenderness"},
            {"contact-meetings", "contact"},
-           {"contact-stability-summary", "contact-stability"}}};
+           {"contact-stability-summary", "contact-stability"},
+           {"corrected-stability-summary", "contact-stability"}}};
 }
 
 inline std::filesystem::path cases_folder() { return std::filesystem::path(MB_SOURCE_DIR) / "cases"; }

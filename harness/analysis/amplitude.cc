@@ -22,9 +22,9 @@ Finding sweep_table() {
       "a quarter of Hertz's duration before the touch to twice that past it. Strain and deformation are the "
       "largest of the finite answer: principal strain, and displacement of the surface over the body's extent. "
       "Force, impulse and duration of the first contact are the finite answer's. Full order is at a tenth of the "
-      "truth's "
-      "tolerance; `of steps`: what linear full order is off by at the truth's own, beside which an error means "
-      "something.",
+      "truth's tolerance; `of steps`: what linear full order is off by at the truth's own, beside which an error means "
+      "something. Bars: that, of modes with what steps twice as long move; of force, impulse and duration what the "
+      "truth's own tolerance moves in linear full order, of ratios twice.",
       {{"speed", "m/s"},
        {"speed/scene's", "-"},
        {"status", ""},
@@ -74,6 +74,19 @@ void add_row(Finding& found, const AmplitudeRow& row) {
   found.rows.push_back({row.speed, row.factor, row.status, row.strain, row.deformation, row.of_linear, row.of_steps,
                         row.modal_linear, row.modal_finite, f.peak, l.peak / f.peak, f.impulse, l.impulse / f.impulse,
                         f.duration, l.duration / f.duration});
+  const double steps = row.of_steps, modal = steps + row.of_modal_steps;
+  const auto moved = [&](double FirstImpact::*what) { return std::abs(row.loose.*what / (l.*what) - 1); };
+  const double peak = moved(&FirstImpact::peak), impulse = moved(&FirstImpact::impulse),
+               duration = moved(&FirstImpact::duration);
+  bar_last_row(found, {{"error of linear", steps},
+                       {"modal against linear", modal},
+                       {"modal against finite", modal},
+                       {"peak force", peak * f.peak},
+                       {"linear/finite peak force", 2 * peak * l.peak / f.peak},
+                       {"impulse", impulse * std::abs(f.impulse)},
+                       {"linear/finite impulse", 2 * impulse * std::abs(l.impulse / f.impulse)},
+                       {"duration", duration * f.duration},
+                       {"linear/finite duration", 2 * duration * l.duration / f.duration}});
 }
 
 void add_limit(Finding& found, const Rows& rows, double limit) {

@@ -64,16 +64,20 @@ class Sweep {
     const auto loose = tried("linear", row, [&] { return full(linear_, linearised(scene), rtol); });
     const auto linear = tried("linear", row, [&] { return full(linear_, linearised(scene), rtol / 10); });
     const auto finite = tried("finite", row, [&] { return full(finite_, with_first_finite(scene), rtol / 10); });
-    const auto modal = tried("modal", row, [&] { return reduced(linearised(scene)); });
+    const double h = std::ranges::min(scene_.study.contact_steps);
+    const auto modal = tried("modal", row, [&] { return reduced(linearised(scene), h); });
+    const auto coarse = tried("modal by twice the step", row, [&] { return reduced(linearised(scene), 2 * h); });
     const MetricContext of{scene, 0, points_, true};
     const auto error = [&](const std::optional<Trajectory>& a, const std::optional<Trajectory>& b) {
       return a && b ? mark(metric("displacement-error"), *a, *b, of).value : nan;
     };
     row.of_linear = error(linear, finite);
     row.of_steps = error(loose, linear);
+    row.of_modal_steps = error(coarse, modal);
     row.modal_linear = error(modal, linear);
     row.modal_finite = error(modal, finite);
     if (linear) row.linear = first_impact(*linear, *linear);
+    if (loose) row.loose = first_impact(*loose, *loose);
     if (finite) {
       row.finite = first_impact(*finite, *finite);
       row.strain = largest_principal(finite->bodies.front().strain);
@@ -114,10 +118,10 @@ class Sweep {
         ->simulate({.t = sample_times(scene)});
   }
 
-  Trajectory reduced(const Scene& scene) const {
+  Trajectory reduced(const Scene& scene, double time_step) const {
     const Model model = with_scene(linear_, scene);
     Settings settings;
-    settings.time_step = std::ranges::min(scene_.study.contact_steps);
+    settings.time_step = time_step;
     const auto bases = std::make_shared<const FloatingBases>(floating_bases(model, modes_, true));
     return prepare_floating(bases, context_.catalogue.integrator("exact"), settings)
         ->simulate({.t = sample_times(scene)});

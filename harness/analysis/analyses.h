@@ -70,6 +70,7 @@
 //   contact-stability-summary integrator | cells | stable | inaccurate | unstable |
 //                             unstable within the limit | bounded beyond the limit | too short to be seen |
 //                             touch missed | unstable from | error at the least step | order | standard error
+//   corrected-stability, corrected-stability-summary: the same, with static correction
 //   contact-meetings          obstacle | law | stiffness | stated | E* | a | k a/E* | first touch | speed | approach |
 //                             duration | force
 //   contact-geometry          method | modes r | degree | coefficients | kept | condition | residual | worst mode |

@@ -16,37 +16,41 @@ constexpr size_t most = 4;       // contacts that are shown
 constexpr int n_mode_counts = 3;
 
 Finding contacts_table() {
-  return table("contact-stiffness", "contacts-in-turn", "Contacts one by one",
-               "Touches that follow each other within half of the first one's duration are one contact. Errors against "
-               "the truth's same contact, relative, that of the start to the duration of the truth's first; their "
-               "bars the distance to those against its coarser mesh. Empty: it has no such contact.",
-               {{"contact", ""},
-                {"contender", ""},
-                {"modes r", ""},
-                {"touches", ""},
-                {"start", "s"},
-                {"duration", "s"},
-                {"peak force", "N"},
-                {"impulse", "N s"},
-                {"error of start", "-"},
-                {"error of duration", "-"},
-                {"error of peak force", "-"},
-                {"error of impulse", "-"}});
+  return table(
+      "contact-stiffness", "contacts-in-turn", "Contacts one by one",
+      "Touches that follow each other within half of the first one's duration are one contact. Errors against "
+      "the truth's same contact, relative, that of the start to the duration of the truth's first; their "
+      "bars the distance to those against its coarser mesh; of the values themselves what steps twice as long, or "
+      "ten times the tolerance, move. Empty: it has no such contact.",
+      {{"contact", ""},
+       {"contender", ""},
+       {"modes r", ""},
+       {"touches", ""},
+       {"start", "s"},
+       {"duration", "s"},
+       {"peak force", "N"},
+       {"impulse", "N s"},
+       {"error of start", "-"},
+       {"error of duration", "-"},
+       {"error of peak force", "-"},
+       {"error of impulse", "-"}});
 }
 
 Finding conditions_table() {
-  return table("contact-stiffness", "contact-conditions", "How small changes grow from contact to contact",
-               "Each contact answered again with the layer's stiffness larger by a hundredth. Condition: change over "
-               "the value, of the start over the duration of the first contact, by that hundredth. Of the first "
-               "contact alone it is at most about 0.4 (on a wall F ~ k^(2/5), Hertz); what it has more afterwards the "
-               "motion in between has made. Empty: the same contact is not there again.",
-               {{"contact", ""},
-                {"contender", ""},
-                {"modes r", ""},
-                {"condition of start", "-"},
-                {"condition of duration", "-"},
-                {"condition of peak force", "-"},
-                {"condition of impulse", "-"}});
+  return table(
+      "contact-stiffness", "contact-conditions", "How small changes grow from contact to contact",
+      "Each contact answered again with the layer's stiffness larger by a hundredth. Condition: change over "
+      "the value, of the start over the duration of the first contact, by that hundredth. Of the first "
+      "contact alone it is at most about 0.4 (on a wall F ~ k^(2/5), Hertz); what it has more afterwards the "
+      "motion in between has made. Bars: what steps twice as long, or ten times the tolerance, move. Empty: the "
+      "same contact is not there again.",
+      {{"contact", ""},
+       {"contender", ""},
+       {"modes r", ""},
+       {"condition of start", "-"},
+       {"condition of duration", "-"},
+       {"condition of peak force", "-"},
+       {"condition of impulse", "-"}});
 }
 
 // Of an answer's first body, in order; those of chattering joined, as the metrics of contact join them.
@@ -80,22 +84,43 @@ struct Truths {
   Contacts truth, neighbour;
 };
 
-void add_rows(std::vector<Finding>& found, Finding& beside, const ContactContender& of, const Contacts& contacts,
-              const Contacts& stiffer, const Truths& truths) {
-  for (size_t k = 0; k < std::min(contacts.size(), most); ++k) {
-    const Touch& touch = contacts[k].whole;
+// Of one contender, as it is and with the stiffer layer.
+struct Answers {
+  Contacts contacts, stiffer;
+
+  std::array<double, 4> conditions(size_t k) const {
+    std::array<double, 4> all = differences(stiffer, contacts, k);
+    for (double& one : all) one /= change;
+    return all;
+  }
+};
+
+void add(std::vector<FindingCell>& row, const std::array<double, 4>& values) {
+  for (const double value : values) row.push_back(number(value));
+}
+
+void add_touch(std::vector<FindingCell>& row, const Contacts& contacts, size_t k) {
+  if (k >= contacts.size()) return row.resize(row.size() + 5, not_applicable());
+  const Touch& touch = contacts[k].whole;
+  row.insert(row.end(), {count(contacts[k].n_touches), touch.start, number(touch.end - touch.start), touch.peak_force,
+                         touch.impulse.norm()});
+}
+
+// `beside`: the same tables with what is next to each value, at the distance of its bar.
+void add_rows(std::vector<Finding>& found, std::vector<Finding>& beside, const ContactContender& of,
+              const Answers& answers, const Answers& coarse, const Truths& truths) {
+  for (size_t k = 0; k < std::min(answers.contacts.size(), most); ++k) {
     std::vector<FindingCell> row{count(static_cast<Index>(k) + 1),
                                  of.modes < 0 ? "full order, the truth's tolerance" : of.method,
                                  of.modes < 0 ? not_applicable() : count(of.modes)};
-    std::vector<FindingCell> conditions = row;
-    for (const double d : differences(stiffer, contacts, k)) conditions.push_back(number(d / change));
-    row.insert(row.end(), {count(contacts[k].n_touches), touch.start, number(touch.end - touch.start), touch.peak_force,
-                           touch.impulse.norm()});
-    beside.rows.push_back(row);
-    for (const double d : differences(contacts, truths.truth, k)) row.push_back(number(d));
-    for (const double d : differences(contacts, truths.neighbour, k)) beside.rows.back().push_back(number(d));
-    found[0].rows.push_back(std::move(row));
-    found[1].rows.push_back(std::move(conditions));
+    std::vector<FindingCell> conditions = row, near_conditions = row;
+    add(conditions, answers.conditions(k)), add(near_conditions, coarse.conditions(k));
+    std::vector<FindingCell> near = row;
+    add_touch(row, answers.contacts, k), add_touch(near, coarse.contacts, k);
+    add(row, differences(answers.contacts, truths.truth, k));
+    add(near, differences(answers.contacts, truths.neighbour, k));
+    found[0].rows.push_back(std::move(row)), beside[0].rows.push_back(std::move(near));
+    found[1].rows.push_back(std::move(conditions)), beside[1].rows.push_back(std::move(near_conditions));
   }
 }
 
@@ -125,10 +150,13 @@ std::vector<Finding> contact_conditions(const ContactVariants& variants, const A
     Contacts exact = contacts_in(*context.truth.exact);
     if (exact.size() >= truths.truth.size()) truths = {exact, exact};
   }
-  std::vector<Finding> beside{contacts_table()};
-  for (const ContactContender& of : contenders(variants, context, truths.truth))
-    add_rows(found, beside[0], of, contacts_in(variants.simulate(as_it_is, of)),
-             contacts_in(variants.simulate(stiffer, of)), truths);
+  std::vector<Finding> beside{contacts_table(), conditions_table()};
+  for (const ContactContender& of : contenders(variants, context, truths.truth)) {
+    const Answers answers{contacts_in(variants.simulate(as_it_is, of)), contacts_in(variants.simulate(stiffer, of))};
+    const Answers coarse{contacts_in(variants.simulate_coarsely(as_it_is, of)),
+                         contacts_in(variants.simulate_coarsely(stiffer, of))};
+    add_rows(found, beside, of, answers, coarse, truths);
+  }
   add_bars(found, beside);
   return found;
 }

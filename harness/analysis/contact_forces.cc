@@ -114,6 +114,16 @@ std::vector<FindingCell> error_row(const std::string& shape, double depth, const
   return row;
 }
 
+// Relative errors against the exact cap are no better known than that.
+void add_errors(Finding& errors, const std::string& shape, double depth, const Marks& one) {
+  errors.rows.push_back(error_row(shape, depth, one));
+  std::vector<std::pair<const char*, double>> bars;
+  for (const FindingColumn& column : errors.columns)
+    if (column.unit == "-" && column.name != "depth" && column.name != "error of exact")
+      bars.emplace_back(column.name.c_str(), one.error_of_exact);
+  bar_last_row(errors, bars);
+}
+
 // What forces are judged by: places in contact_error_names().
 struct Judged {
   Index place;
@@ -192,7 +202,7 @@ std::vector<Finding> contact_forces(const Shape& body, const ContactSizes& sizes
     std::vector<std::vector<Marks>> by_depth;
     for (const double share : sizes.depths) {
       by_depth.push_back(contest(shape, share * half_extents(shape).minCoeff(), sizes));
-      for (const Marks& one : by_depth.back()) errors.rows.push_back(error_row(name, share, one));
+      for (const Marks& one : by_depth.back()) add_errors(errors, name, share, one);
       add_orders(orders, name, share, by_depth.back());
     }
     add_claims(claim, name, by_depth);

@@ -159,4 +159,12 @@ Trajectory ContactVariants::simulate(const Scene& scene, const ContactContender&
   return prepare(scene, contender)->simulate({.t = sample_times(scene), .strain = false, .reconstruct = false});
 }
 
+Trajectory ContactVariants::simulate_coarsely(const Scene& scene, const ContactContender& contender) const {
+  Scene loose = scene;
+  ContactContender coarse = contender;
+  loose.truth.relative_tolerance *= 10;
+  coarse.time_step *= 2;
+  return simulate(loose, coarse);
+}
+
 }  // namespace mb

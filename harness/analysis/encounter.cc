@@ -24,6 +24,24 @@ PressedModes modes_at(const ContactVariants& variants, size_t place, const Vecto
   return {kept.omega.cwiseAbs2(), c, at.transpose() * n, 0};
 }
 
+// Mean of Psi^T n over the samples within a of the touch, or of the one that is next to it, and what bears it.
+double compliance(const FloatingBody& body, const MatrixXd& Psi, const Vector3d& n, const std::vector<Index>& near,
+                  const VectorXd& w) {
+  VectorXd psi = VectorXd::Zero(body.n_static());
+  double area = 0;
+  for (const Index i : near) psi += w[i] * Psi.middleRows<3>(3 * i).transpose() * n, area += w[i];
+  return psi.dot(body.static_stiffness.ldlt().solve(psi)) / (area * area);
+}
+
+std::vector<Index> samples_within(const SurfaceSamples& samples, const Vector3d& X, double a) {
+  const VectorXd away = (samples.X.colwise() - X).colwise().norm();
+  std::vector<Index> near;
+  for (Index i = 0; i < away.size(); ++i)
+    if (away[i] < a) near.push_back(i);
+  if (near.empty()) near.resize(1), away.minCoeff(&near.front());
+  return near;
+}
+
 VectorXd joined(const VectorXd& a, const VectorXd& b) { return (VectorXd(a.size() + b.size()) << a, b).finished(); }
 
 }  // namespace
@@ -52,6 +70,25 @@ PressedModes pressed(const ContactVariants& variants, const Encounter& encounter
   }
   const double a = meeting.size.radius;
   all.kappa = factor * meeting.size.stiffness * pi * a * a;
+  return all;
+}
+
+double static_compliance(const FloatingBases& bases, const Encounter& encounter) {
+  const FloatingBasis& first = bases.front();
+  const auto meetings = touchdown(*first.scene, first.scene->bodies.front()).meetings;
+  const auto at = std::ranges::find(meetings, encounter.meeting.contact, &Meeting::contact) - meetings.begin();
+  const SampledContact& contact = first.body.contacts.at(static_cast<size_t>(at));
+  const auto near = samples_within(contact.samples, encounter.meeting.X, encounter.meeting.size.radius);
+  const auto seen_by = [&](const FloatingBasis& basis) {
+    return Vector3d(basis.scene->bodies[basis.place].pose.orientation.conjugate() * encounter.normal);
+  };
+  double all = 0;
+  if (first.body.n_static() > 0)
+    all += compliance(first.body, contact.samples.Psi, seen_by(first), near, contact.samples.w);
+  if (!contact.partner) return all;
+  const FloatingBasis& other = bases.at(contact.partner->body);
+  if (other.body.n_static() > 0)
+    all += compliance(other.body, contact.partner->Psi.transpose(), seen_by(other), near, contact.samples.w);
   return all;
 }
 

@@ -21,6 +21,13 @@ Encounter first_encounter(const Scene& scene);
 // The first r elastic modes of both bodies and their rigid ones, the layer `factor` times as stiff as the scene's.
 PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, double factor);
 
+// c [m/N], what static shapes add to the compliance of that area, in balance as they are with the force on it:
+//
+//   c = sum over both bodies  psi^T K_s^-1 psi,   psi = mean over |X - X_c| < a of Psi^T n,   1/kappa' = 1/kappa + c
+//
+// 0 of bases that have none.
+double static_compliance(const FloatingBases& bases, const Encounter& encounter);
+
 // What is slower than its weight alone would have it be, at rest above all, is thrown at that, `flight` [s] before it
 // touches.
 void throw_at_least(Scene& scene, const Encounter& encounter, double flight);

@@ -24,7 +24,13 @@ const Footing fitted{"the exponent of theory or of the claim", "property",
                      "the standard error of the fit, which knows nothing of a bend in the data"};
 const Footing verdict{"the table before", "measurement", "that of the numbers it weighs"};
 const Footing settings{"the same answer under another setting", "second route",
-                       "differences of answers, each as the adaptive steps leave it"};
+                       "as the bars say: what coarser steps move"};
+const Footing contact_map{"spectral radius of one linearised step; work of a layer that opens", "property",
+                          "a class has none; of errors as the bars say"};
+const Footing contact_summary{
+    "spectral radius of one linearised step; work of a layer that opens; of errors kicks at a quarter of the least "
+    "step",
+    "property", "counts are exact; of errors and of the order as the bars say"};
 
 const std::vector<TablesOfAnalysis>& entries() {
   static const std::vector<TablesOfAnalysis> all{
@@ -102,8 +108,7 @@ const std::vector<TablesOfAnalysis>& entries() {
         {"collision-cost-claim", verdict}}},
       {"contact-forces",
        {{"contact-forces",
-         {"the exact force of a rigid body on a layer", "closed form",
-          "that of the exact force: column error of exact"}},
+         {"the exact force of a rigid body on a layer", "closed form", "as the bars say: that of the exact force"}},
         {"contact-forces-orders", fitted},
         {"contact-forces-claim", verdict}}},
       {"contact-stiffness",
@@ -119,16 +124,14 @@ const std::vector<TablesOfAnalysis>& entries() {
          {"the finest samples; the truth of the case", "second route",
           "differences of answers, each as its steps leave it; against the truth as the bars say"}}}},
       {"contact-stability",
-       {{"contact-stability",
-         {"spectral radius of one linearised step; work of a layer that opens", "property",
-          "a class has none; of errors as the bars say"}},
-        {"contact-stability-summary",
-         {"spectral radius of one linearised step; work of a layer that opens; of errors kicks at a quarter of the "
-          "least step",
-          "property", "counts are exact; of errors and of the order as the bars say"}}}},
+       {{"contact-stability", contact_map},
+        {"contact-stability-summary", contact_summary},
+        {"corrected-stability", contact_map},
+        {"corrected-stability-summary", contact_summary}}},
       {"flight-cost", {{"flight-cost", time}, {"flight-cost-exponents", fitted}}},
       {"amplitude",
-       {{"amplitude", {"finite kinematics on the same mesh", "second route", "the tolerance of the adaptive steps"}},
+       {{"amplitude",
+         {"finite kinematics on the same mesh", "second route", "as the bars say: what coarser steps move"}},
         {"amplitude-limits",
          {"finite kinematics on the same mesh", "second route", "that of lines between the speeds tried"}},
         {"amplitude-exponents", fitted}}},

@@ -23,8 +23,7 @@ Finding locking_table() {
       "locking", "locking", "Static answers and first frequencies over Poisson's ratio",
       "The body with other ratios of Poisson, on meshes of about as many unknowns as its own. Truth: elements "
       "of degree 4 on half as many cells again as the finer mesh's. Static error: displacement under all loads at "
-      "their "
-      "full size, M norm; frequency error: of the first elastic mode, positive where the mesh is too stiff.",
+      "their full size, M norm; frequency error: of the first elastic mode, positive where the mesh is too stiff.",
       {{"element", ""}, {"nu", "-"}, {"cells", ""}, {"unknowns", ""}, {"static error", "-"}, {"frequency error", "-"}});
 }
 

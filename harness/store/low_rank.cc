@@ -24,6 +24,12 @@ Svd svd_of_tall(const MatrixXd& A) {
   return svd;
 }
 
+MatrixXd orthonormal(const MatrixXd& A) {
+  MatrixXd Q = MatrixXd::Identity(A.rows(), A.cols());
+  Q.applyOnTheLeft(Eigen::HouseholderQR<MatrixXd>(A).householderQ());
+  return Q;
+}
+
 // |A|_2 from below, |A^T A x| / |A x|, x made of the largest column by one step more: within some percent of it.
 double largest_stretch(const MatrixXd& A) {
   Index at;
@@ -44,8 +50,11 @@ std::optional<MatrixXd> basis_of(const MatrixXd& A, double error, Index most) {
     const Svd svd = svd_of_tall(rest);
     const Index more = (svd.sigma.array() > of_block).count(), before = Q.cols();
     if (before + more >= most) return std::nullopt;
+    // What is left of Q in the block, rounding of the whole of it, is more of its small vectors than of the large.
+    MatrixXd U = svd.U.leftCols(more);
+    for (int twice = 0; twice < 2; ++twice) U = orthonormal(U - Q * (Q.transpose() * U));
     Q.conservativeResize(Eigen::NoChange, before + more);
-    Q.rightCols(more) = svd.U.leftCols(more);
+    Q.rightCols(more) = U;
   }
   return Q;
 }

@@ -13,15 +13,22 @@ void dsyevd_(const char* vectors, const char* triangle, const int* n, double* A,
 void dgeev_(const char* left, const char* right, const int* n, double* A, const int* stride, double* real,
             double* imaginary, double* U, const int* stride_U, double* V, const int* stride_V, double* work,
             const int* n_work, int* info, size_t, size_t);
+void dgesdd_(const char* vectors, const int* m, const int* n, double* A, const int* stride, double* sigma, double* U,
+             const int* stride_U, double* V_transposed, const int* stride_V, double* work, const int* n_work,
+             int* whole, int* info, size_t);
 }
 
 namespace mb {
 namespace {
 
+int int_of(Index size) {
+  if (size > std::numeric_limits<int>::max()) throw std::invalid_argument("dense matrices: too many rows or columns");
+  return static_cast<int>(size);
+}
+
 int size_of(const MatrixXd& A) {
   if (A.rows() != A.cols()) throw std::invalid_argument("dense eigenvalues: the matrix is not square");
-  if (A.rows() > std::numeric_limits<int>::max()) throw std::invalid_argument("dense eigenvalues: too many rows");
-  return static_cast<int>(A.rows());
+  return int_of(A.rows());
 }
 
 // Calls twice: work[0] says at first how much of it is wanted.
@@ -69,6 +76,25 @@ std::optional<EigenPairs> generalized(const MatrixXd& K, const MatrixXd& M, bool
   return pairs;
 }
 
+// Divide and conquer. Eigen's BDCSVD returned factors of another matrix, and success, for graded A (3.4.0).
+Svd decomposed(MatrixXd A, bool with_vectors) {
+  const int m = int_of(A.rows()), n = int_of(A.cols()), k = std::min(m, n), stride = std::max(m, 1),
+            rank = std::max(k, 1);
+  Svd svd{MatrixXd(m, with_vectors ? k : 0), VectorXd(k), MatrixXd(n, 0)};
+  MatrixXd V_transposed(with_vectors ? k : 0, n);
+  std::vector<int> exchanges(8 * static_cast<size_t>(k));
+  const auto call = [&](auto& work, int n_work, auto&, int) {
+    int outcome = 0;
+    dgesdd_(with_vectors ? "S" : "N", &m, &n, A.data(), &stride, svd.sigma.data(), svd.U.data(), &stride,
+            V_transposed.data(), &rank, work.data(), &n_work, exchanges.data(), &outcome, 1);
+    return outcome;
+  };
+  if (!A.allFinite() || (k > 0 && with_work(call) != 0))
+    throw std::runtime_error("the singular values have not converged");
+  svd.V = V_transposed.transpose();
+  return svd;
+}
+
 }  // namespace
 
 EigenPairs symmetric_eigen(const MatrixXd& A) { return converged(symmetric(A, true)); }
@@ -99,17 +125,8 @@ std::optional<VectorXd> generalized_eigenvalues(const MatrixXd& K, const MatrixX
   return pairs ? std::optional(std::move(pairs->values)) : std::nullopt;
 }
 
-Svd thin_svd(const MatrixXd& A) {
-  const Eigen::BDCSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  if (svd.info() != Eigen::Success) throw std::runtime_error("the singular values have not converged");
-  return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
-}
-
-VectorXd singular_values(const MatrixXd& A) {
-  const Eigen::BDCSVD<MatrixXd> svd(A);
-  if (svd.info() != Eigen::Success) throw std::runtime_error("the singular values have not converged");
-  return svd.singularValues();
-}
+Svd thin_svd(const MatrixXd& A) { return decomposed(A, true); }
+VectorXd singular_values(const MatrixXd& A) { return decomposed(A, false).sigma; }
 
 // A + i B has those of [A -B; B A], where each stands twice.
 VectorXd singular_values(const Eigen::MatrixXcd& A) {

@@ -1,4 +1,4 @@
-// Dense eigenproblems, by LAPACK, and singular values, by Eigen: compiled once, they take seconds in each source.
+// Dense eigenproblems and singular values, by LAPACK.
 //
 //   A x = lambda x, A symmetric        K x = lambda M x, x^T M x = 1        A = U diag(sigma) V^T
 //

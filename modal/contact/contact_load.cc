@@ -11,7 +11,7 @@ namespace mb {
 namespace {
 
 constexpr int max_iterations = 30, max_rounds = 10;
-constexpr double balanced = 1e-10;  // [-] of the forces in the balance: far below the error of any step
+constexpr double balanced = 1e-10;  // [-] of forces or of shapes: far below the error of any step
 
 }  // namespace
 
@@ -95,7 +95,8 @@ void ContactLoads::push(const VectorXd& s) {
   }
 }
 
-// Newton's method; where a step does not lessen the imbalance, half of it.
+// Newton's method; where a step does not lessen the imbalance, half of it. Balanced, too, where a whole step is next to
+// nothing of s: in stiff layers the rounding of places, k w eps |x|, is more of the forces than that.
 bool ContactLoads::balance(VectorXd& s) {
   const VectorXd slope = 1 + by_s() * beta_.array(), carried = beta_.cwiseProduct(past());
   const auto imbalance = [&] {
@@ -112,6 +113,7 @@ bool ContactLoads::balance(VectorXd& s) {
     if (!std::isfinite(off)) return false;
     if (off <= balanced * std::max(size, at_first)) return true;
     step_ = factor_.compute(H_).solve(r_);
+    if (step_.norm() <= balanced * s.norm()) return true;
     for (int halving = 0; halving < 10; ++halving, step_ /= 2) {
       s += step_;
       const auto [off_next, size_next] = imbalance();

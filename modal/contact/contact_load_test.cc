@@ -126,6 +126,32 @@ TEST(ContactPairs, FlatAndGeneralAgreeOnAHalfSpace) {
   }
 }
 
+// A kilometre from the origin places round by 1e-13 m, 1e-6 of how far so stiff a layer is pressed: forces there are no
+// better balanced than that. What the shapes yield, millimetres, is known to 1e-10 all the same, and so the force; ten
+// times that for what is pressed at few samples.
+TEST(ContactLoads, OfStiffLayersAreBalancedAsFarAsPlacesAreKnown) {
+  const Vector3d away(600, -700, 400);
+  const auto load_of = [](const FloatingBody& body, BodyState& state) {
+    ContactLoads loads(body);
+    ContactLoad load;
+    loads(state, Omega, load);
+    EXPECT_TRUE(load.converged);
+    return load;
+  };
+  for (RigidSurface obstacle : {tilted, dome}) {
+    const FloatingBody body = block_on(obstacle, {1e13, 0, {}});
+    obstacle.pose.position += away;
+    const FloatingBody far = block_on(obstacle, {1e13, 0, {}});
+    for (const double depth : {1e-3, 1.5e-3, 2e-3, 3e-3, 4e-3}) {
+      BodyState here = pressed(body, depth), there = here;
+      there.c += away;
+      const Vector3d force = load_of(body, here).force;
+      EXPECT_LT((load_of(far, there).force - force).norm(), 1e-8 * force.norm()) << depth;
+      EXPECT_LT((here.s - there.s).norm(), 1e-8 * here.s.norm()) << depth;
+    }
+  }
+}
+
 TEST(ContactLoads, OfTwoObstaclesAreTheSum) {
   FloatingBody both = block_on(ground, {1e9, 0, {}}), other = block_on(tilted, {2e9, 0, {}});
   for (FloatingBody* body : {&both, &other}) {

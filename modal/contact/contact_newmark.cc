@@ -14,6 +14,7 @@ namespace {
 constexpr int max_iterations = 30;
 constexpr double least_part = 1.0 / 128;  // [-] of Newton's step
 constexpr double tolerance = 1e-10;       // [-] of the momenta in play: far below the error of any step
+constexpr double near = 1e-7;  // [-] likewise, where rounding stops Newton: of places in a stiff layer, over a step
 
 // One step of a body from `state`, whose load is known, on.
 class NewmarkStep {
@@ -62,6 +63,8 @@ class NewmarkStep {
     return std::isfinite(x.sum()) ? std::sqrt((x.array().square() / mass_.array()).sum())
                                   : std::numeric_limits<double>::infinity();
   }
+  // Likewise of the momentum of rates [m/s, 1/s, m kg^1/2 / s].
+  double size_of_rates(const VectorXd& y) const { return std::sqrt((y.array().square() * mass_.array()).sum()); }
   // Of the momenta in play.
   double scale() const { return size(momentum0_) + h_ * (pushed0_ + pushed()); }
   Index n() const { return y0_.size(); }
@@ -143,11 +146,12 @@ class NewmarkSteps {
     each(x, [&](NewmarkStep& step, const auto& own) { sum = std::hypot(sum, step.size(own)); });
     return sum;
   }
-  bool balanced(const VectorXd& residual) {
-    double scale = 0;
-    for (const NewmarkStep& step : steps_) scale += step.scale();
-    const double off = size(residual);
-    return std::isfinite(off) && off <= tolerance * scale;
+  bool balanced(const VectorXd& residual) { return is_small(size(residual), tolerance); }
+  // Newton's own change of the rates: how far off they are.
+  bool is_near(const VectorXd& change) {
+    double sum = 0;
+    each(change, [&](NewmarkStep& step, const auto& own) { sum = std::hypot(sum, step.size_of_rates(own)); });
+    return is_small(sum, near);
   }
   VectorXd newton_step(const VectorXd& residual, MatrixXd jacobian) {
     Index first = 0;
@@ -162,6 +166,12 @@ class NewmarkSteps {
   }
 
  private:
+  // Momentum, against those in play.
+  bool is_small(double off, double share) const {
+    double scale = 0;
+    for (const NewmarkStep& step : steps_) scale += step.scale();
+    return std::isfinite(off) && off <= share * scale;
+  }
   template <class Part>
   void each(const VectorXd& all, const Part& part) {
     Index first = 0;
@@ -208,6 +218,7 @@ bool ContactStepper::advance_by_newmark(std::span<ContactState> states) {
       residual = imbalance(y - part * change);
     }
     y -= part * change;
+    if (!(step.size(residual) < before / 2) && step.is_near(change)) break;
   }
   step.hand_over();
   return converged(states);

@@ -174,6 +174,29 @@ TEST(ContactStep, SchemesAgree) {
 }
 
 // General and flat evaluation of one half-space: friction of a vanishing coefficient takes the general one.
+// A kilometre from the origin places round by 1e-13 m, which this layer makes a hundredth of a newton of: Newton's
+// method comes no nearer than that times the step, 1e-9 of the momentum. Motion is as near the origin, to what hundred
+// such steps add up to.
+TEST(ContactStep, AverageAccelerationEndsWhereRoundingStopsIt) {
+  const double T = 1e-4;
+  const auto speed_after = [&](const Vector3d& away) {
+    FloatingBody body = vibrating();
+    SampledContact& contact = body.contacts[0];
+    contact.law.stiffness *= 1e6;
+    contact.surface.shape = Sphere{0.5};  // a general pair, which knows places alone
+    contact.surface.pose.position = away - Vector3d(0, 0, 0.5);
+    ContactState state = touching(body, 2);
+    state.body.c += away;
+    ContactStepper stepper(body, ContactScheme::newmark, T / 100);
+    stepper.touch(state);
+    for (int i = 0; i < 100; ++i) EXPECT_TRUE(stepper.advance(state)) << i;
+    return state.body.v;
+  };
+  const Vector3d here = speed_after(Vector3d::Zero()), there = speed_after({600, -700, 400});
+  EXPECT_LT((here - there).norm(), 1e-6 * here.norm());
+  EXPECT_GT(here.z(), 0);  // it has bounced
+}
+
 TEST(ContactLoad, FlatAndGeneralAgree) {
   FloatingBody flat = vibrating(0.3), general = flat;
   general.contacts[0].law.friction = Friction{1e-14, 1.0};

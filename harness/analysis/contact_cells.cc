@@ -1,0 +1,111 @@
+#include "harness/analysis/contact_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+namespace mb {
+
+namespace {
+
+constexpr double grown = 1.1;   // [-] of the energy of the approach
+constexpr double samples = 64;  // [-] to the contact's duration
+
+// 1 and what is gained from the first sample to the last, over the kinetic energy of the approach.
+double gained_energy(const Trajectory& run, const VariedLayer& layer) {
+  double gain = 0;
+  for (const BodyTrajectory& body : run.bodies) gain += body.energy(body.energy.size() - 1) - body.energy(0);
+  const double speed = layer.scene.bodies.front().twist.velocity.dot(layer.encounter.normal);
+  return 1 + gain / (layer.encounter.mass * speed * speed / 2);
+}
+
+// Nothing where it failed: a body that is thrown about may come to where nothing is known of the contact.
+std::optional<Trajectory> finite_run(const VariedLayer& layer, const Integrator& scheme, double dt) try {
+  Settings settings;
+  settings.time_step = dt;
+  Trajectory run = prepare_floating(layer.bases, scheme, settings)
+                       ->simulate({.t = sample_times(layer.scene)});  // energies come with strains
+  return run.status == Status::ok ? std::optional(std::move(run)) : std::nullopt;
+} catch (const std::runtime_error&) {
+  return {};
+}
+
+// [s] Of the contact in this layer: as seen, or where its reference lost it as the scene's own layer has it.
+double duration_of(const VariedLayer& layer) {
+  const double seen = layer.reference.duration;
+  return std::isfinite(seen) && seen > 0 ? seen : layer.encounter.meeting.size.duration;
+}
+
+// What is seen against what the radius of one step says, which one contact takes to so many powers, one at least: what
+// is pressed is for a whole step. And what opening may gain, of which nothing is known for explicit Euler.
+const char* verdict_of(const ContactCell& one, const VariedLayer& layer, const std::string& scheme) {
+  const double powers = std::max(1.0, duration_of(layer) / one.dt);
+  const double growth = 2 * powers * std::log(one.radius);  // of energy
+  const bool grows = growth > std::log(grown), may_gain = scheme != "explicit-euler" && one.dt > layer.opening_limit();
+  if (one.found == StepClass::unstable) return grows || may_gain ? "as predicted" : "unstable within the limit";
+  if (!std::isfinite(one.error())) return "touch missed";
+  if (grows) return "bounded beyond the limit";
+  if (one.radius > 1 + 1e-6) return "too short to be seen";
+  return may_gain ? "may gain" : "as predicted";
+}
+
+// [-] How far apart two answers are in peak and impulse.
+void hold_against(VariedLayer& layer, const FirstImpact& coarser) {
+  layer.bar_of_peak = std::abs(coarser.peak / layer.reference.peak - 1);
+  layer.bar_of_impulse = std::abs(coarser.impulse / layer.reference.impulse - 1);
+}
+
+}  // namespace
+
+double VariedLayer::opening_limit() const { return mb::opening_limit(pressed.kappa, encounter.mass, grown - 1); }
+
+double ContactCell::error() const {
+  const double largest = std::max(of_peak, of_impulse);
+  return std::isfinite(of_peak + of_impulse) ? largest : std::numeric_limits<double>::infinity();
+}
+
+double contact_step(const Encounter& encounter, int i) {
+  return 2 * encounter.meeting.size.duration * std::pow(0.5, i);
+}
+
+ContactCell contact_cell(const VariedLayer& layer, const Integrator& scheme, double dt) {
+  ContactCell one{dt, pressed_radius(layer.pressed, scheme.name, dt)};
+  if (const auto run = finite_run(layer, scheme, dt)) {
+    one.energy = gained_energy(*run, layer);
+    const FirstImpact now = first_impact(*run, *run);
+    one.of_peak = std::abs(now.peak / layer.reference.peak - 1);
+    one.of_impulse = std::abs(now.impulse / layer.reference.impulse - 1);
+    if (one.energy <= grown) one.found = one.error() <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
+  }
+  one.verdict = verdict_of(one, layer, scheme.name);
+  return one;
+}
+
+std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const ContactVariants& variants,
+                                       const std::string& method, int r, const std::vector<double>& factors) {
+  const Encounter encounter = first_encounter(*context.scene);
+  const auto& [contact, t, X, size, Y] = encounter.meeting;
+  const double T = size.duration;
+  Scene scene = thrown(*context.scene, 1, T, 8 * T);
+  throw_at_least(scene, encounter, T);
+  scene.samples_per_second = samples / T;
+  std::vector<VariedLayer> all;
+  for (const double factor : factors) {
+    VariedLayer layer{encounter, factor, pressed(variants, encounter, r, factor), scene, nullptr, {}};
+    layer.scene.contacts.at(contact).stiffness = factor * size.stiffness;
+    const ContactContender finest{
+        .method = method, .modes = r, .time_step = contact_step(encounter, contact_steps_tried + 1)};
+    layer.bases = variants.bases(layer.scene, finest);
+    layer.pressed.kappa /= 1 + layer.pressed.kappa * static_compliance(*layer.bases, encounter);
+    const Trajectory reference = variants.simulate(layer.scene, finest);
+    layer.reference = first_impact(reference, reference);
+    ContactContender coarser = finest;
+    coarser.time_step *= 2;
+    hold_against(layer, first_impact(variants.simulate(layer.scene, coarser), reference));
+    all.push_back(std::move(layer));
+  }
+  return all;
+}
+
+}  // namespace mb
