@@ -1,4 +1,4 @@
-// Budget and amplitude through the program, of a ball of jelly that falls on a floor.
+// Analyses of contact through the program, of a ball of jelly that falls on a floor.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,7 +54,7 @@ coarser = { degree = 1, cells = [1] }
 methods = ["eigenmodes", "static-correction"]
 modes = [8]
 contact_steps = [2e-4]
-analyses = ["budget", "amplitude"]
+analyses = ["budget", "amplitude", "contact-stiffness"]
 )";
 
 using Row = std::map<std::string, FindingCell>;
@@ -144,6 +144,27 @@ TEST_F(ContactAnalysesCases, LinearTheoryIsTheBetterTheSofterTheBlow) {
       EXPECT_GT(number(row, "speed"), number(all.front(), "speed"));
       EXPECT_LT(number(row, "speed"), number(all.back(), "speed"));
     }
+}
+
+TEST_F(ContactAnalysesCases, NumbersOfAnswersHaveBars) {
+  const std::map<std::string, std::set<std::string>> of{
+      {"amplitude", {"error of linear", "modal against finite", "peak force", "linear/finite impulse", "duration"}},
+      {"contact-stiffness", {"first touch", "peak force", "change of duration", "change of peak force"}},
+      {"contact-conditions", {"condition of duration", "condition of peak force"}},
+      {"contacts-in-turn", {"duration", "peak force", "error of impulse"}}};
+  std::set<std::string> seen;
+  for (const Finding& finding : findings()) {
+    if (!of.contains(finding.name)) continue;
+    seen.insert(finding.name);
+    ASSERT_EQ(finding.bars.size(), finding.rows.size()) << finding.name;
+    for (size_t j = 0; j < finding.columns.size(); ++j) {
+      if (!of.at(finding.name).contains(finding.columns[j].name)) continue;
+      for (size_t i = 0; i < finding.rows.size(); ++i)
+        EXPECT_EQ(std::isfinite(finding.bars[i][j]), std::isfinite(std::get<double>(finding.rows[i][j])))
+            << finding.name << ", " << finding.columns[j].name << ", row " << i;
+    }
+  }
+  EXPECT_EQ(seen.size(), of.size());
 }
 
 }  // namespace

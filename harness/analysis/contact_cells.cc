@@ -50,15 +50,16 @@ const char* verdict_of(const ContactCell& one, const VariedLayer& layer, const s
   return may_gain ? "may gain" : "as predicted";
 }
 
-// [-] How far apart two answers are in peak and impulse.
-void hold_against(VariedLayer& layer, const FirstImpact& coarser) {
-  layer.bar_of_peak = std::abs(coarser.peak / layer.reference.peak - 1);
-  layer.bar_of_impulse = std::abs(coarser.impulse / layer.reference.impulse - 1);
+struct Apart {
+  double peak, impulse;  // [-]
+};
+Apart apart(const FirstImpact& one, const FirstImpact& reference) {
+  return {std::abs(one.peak / reference.peak - 1), std::abs(one.impulse / reference.impulse - 1)};
 }
 
 }  // namespace
 
-double VariedLayer::opening_limit() const { return mb::opening_limit(pressed.kappa, encounter.mass, grown - 1); }
+double VariedLayer::opening_limit() const { return mb::opening_limit(pressed, encounter.mass, grown - 1); }
 
 double ContactCell::error() const {
   const double largest = std::max(of_peak, of_impulse);
@@ -73,9 +74,8 @@ ContactCell contact_cell(const VariedLayer& layer, const Integrator& scheme, dou
   ContactCell one{dt, pressed_radius(layer.pressed, scheme.name, dt)};
   if (const auto run = finite_run(layer, scheme, dt)) {
     one.energy = gained_energy(*run, layer);
-    const FirstImpact now = first_impact(*run, *run);
-    one.of_peak = std::abs(now.peak / layer.reference.peak - 1);
-    one.of_impulse = std::abs(now.impulse / layer.reference.impulse - 1);
+    const Apart off = apart(first_impact(*run, *run), layer.reference);
+    one.of_peak = off.peak, one.of_impulse = off.impulse;
     if (one.energy <= grown) one.found = one.error() <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
   }
   one.verdict = verdict_of(one, layer, scheme.name);
@@ -97,12 +97,13 @@ std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const Con
     const ContactContender finest{
         .method = method, .modes = r, .time_step = contact_step(encounter, contact_steps_tried + 1)};
     layer.bases = variants.bases(layer.scene, finest);
-    layer.pressed.kappa /= 1 + layer.pressed.kappa * static_compliance(*layer.bases, encounter);
+    layer.pressed.yields = static_yields(*layer.bases, encounter);
     const Trajectory reference = variants.simulate(layer.scene, finest);
     layer.reference = first_impact(reference, reference);
     ContactContender coarser = finest;
     coarser.time_step *= 2;
-    hold_against(layer, first_impact(variants.simulate(layer.scene, coarser), reference));
+    const Apart bar = apart(first_impact(variants.simulate(layer.scene, coarser), reference), layer.reference);
+    layer.bar_of_peak = bar.peak, layer.bar_of_impulse = bar.impulse;
     all.push_back(std::move(layer));
   }
   return all;

@@ -14,7 +14,7 @@ namespace mb {
 struct VariedLayer {
   Encounter encounter;
   double factor;
-  PressedModes pressed;  // kappa: of layer and static shapes in series
+  PressedModes pressed;
   Scene scene;
   std::shared_ptr<const FloatingBases> bases;
   FirstImpact reference;

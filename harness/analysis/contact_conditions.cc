@@ -41,7 +41,7 @@ Finding conditions_table() {
       "contact-stiffness", "contact-conditions", "How small changes grow from contact to contact",
       "Each contact answered again with the layer's stiffness larger by a hundredth. Condition: change over "
       "the value, of the start over the duration of the first contact, by that hundredth. Of the first "
-      "contact alone it is at most about 0.4 (on a wall F ~ k^(2/5), Hertz); what it has more afterwards the "
+      "contact alone it is about 0.4 at most in size (on a wall F ~ k^(2/5), Hertz); what it has more afterwards the "
       "motion in between has made. Bars: what steps twice as long, or ten times the tolerance, move. Empty: the "
       "same contact is not there again.",
       {{"contact", ""},
@@ -67,16 +67,22 @@ std::vector<FirstContact> contacts_in(const Trajectory& answer) {
 
 using Contacts = std::vector<FirstContact>;
 
-// [-] of start, duration, peak force and impulse of the k-th of them, relative; NaN where one has none or it lasts.
+// [-] of start, duration, peak force and impulse of the k-th of them, relative, of the impulse how far the vectors are
+// apart; NaN where one has none or it lasts.
 std::array<double, 4> differences(const Contacts& of, const Contacts& against, size_t k) {
   const double nan = std::nan("");
   if (k >= of.size() || k >= against.size()) return {nan, nan, nan, nan};
   const auto lasts = [](const FirstContact& c) { return c.whole.end - c.whole.start; };
-  const auto relative = [](double a, double b, double size) { return std::abs(a - b) / size; };
+  const auto relative = [](double a, double b, double size) { return (a - b) / size; };
   const Touch &a = of[k].whole, &b = against[k].whole;
   return {relative(a.start, b.start, lasts(against.front())),
           relative(lasts(of[k]), lasts(against[k]), lasts(against[k])),
           relative(a.peak_force, b.peak_force, b.peak_force), (a.impulse - b.impulse).norm() / b.impulse.norm()};
+}
+
+std::array<double, 4> sizes(std::array<double, 4> of) {
+  for (double& one : of) one = std::abs(one);
+  return of;
 }
 
 // The truth, and its neighbour, whose distance is its bar.
@@ -117,8 +123,8 @@ void add_rows(std::vector<Finding>& found, std::vector<Finding>& beside, const C
     add(conditions, answers.conditions(k)), add(near_conditions, coarse.conditions(k));
     std::vector<FindingCell> near = row;
     add_touch(row, answers.contacts, k), add_touch(near, coarse.contacts, k);
-    add(row, differences(answers.contacts, truths.truth, k));
-    add(near, differences(answers.contacts, truths.neighbour, k));
+    add(row, sizes(differences(answers.contacts, truths.truth, k)));
+    add(near, sizes(differences(answers.contacts, truths.neighbour, k)));
     found[0].rows.push_back(std::move(row)), beside[0].rows.push_back(std::move(near));
     found[1].rows.push_back(std::move(conditions)), beside[1].rows.push_back(std::move(near_conditions));
   }

@@ -14,6 +14,7 @@ namespace mb {
 
 namespace {
 
+constexpr double at_rest = 1e-8;    // [-] what time_to_rest is good to (mechanics/contact)
 constexpr double rounding = 1e-12;  // errors below are none: heights are known to 1e-16 of the body's size
 
 Finding errors_table() {
@@ -114,13 +115,16 @@ std::vector<FindingCell> error_row(const std::string& shape, double depth, const
   return row;
 }
 
-// Relative errors against the exact cap are no better known than that.
+// Relative errors against the exact cap are no better known than that, those of an impact than time_to_rest is.
 void add_errors(Finding& errors, const std::string& shape, double depth, const Marks& one) {
   errors.rows.push_back(error_row(shape, depth, one));
   std::vector<std::pair<const char*, double>> bars;
-  for (const FindingColumn& column : errors.columns)
-    if (column.unit == "-" && column.name != "depth" && column.name != "error of exact")
-      bars.emplace_back(column.name.c_str(), one.error_of_exact);
+  for (size_t j = 5; j < errors.columns.size(); ++j) {
+    const std::string& name = errors.columns[j].name;
+    const bool of_impact = name.starts_with("duration") || name.starts_with("impulse");
+    if (std::isfinite(std::get<double>(errors.rows.back()[j])))
+      bars.emplace_back(name.c_str(), std::max(one.error_of_exact, of_impact ? at_rest : rounding));
+  }
   bar_last_row(errors, bars);
 }
 

@@ -110,6 +110,9 @@ TEST(ContactForces, TablesAreWholeAndMeansBelowTheWorst) {
         const double mean = std::get<double>(row[j]), worst = std::get<double>(row[j + 1]);
         EXPECT_TRUE(std::isnan(mean) ? std::isnan(worst) : mean <= worst * (1 + 1e-12)) << all[0].columns[j].name;
       }
+    for (size_t i = 0; i < all[0].rows.size(); ++i)
+      for (size_t j = 5; j < all[0].columns.size(); ++j)
+        EXPECT_EQ(all[0].bars[i][j] > 0, std::isfinite(std::get<double>(all[0].rows[i][j]))) << all[0].columns[j].name;
     for (const auto& row : all[2].rows) {
       EXPECT_EQ(std::get<std::string>(row[0]), "C12");
       EXPECT_GE(std::get<double>(row[2]), std::get<double>(row[3]));

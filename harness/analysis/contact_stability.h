@@ -19,10 +19,24 @@
 
 namespace mb {
 
+// Static shapes of a body under the contact: massless, in series with the layer, as damped as Rayleigh's beta has them.
+struct StaticYield {
+  double c, beta;  // [m/N], [s] >= 0
+};
+
 struct PressedModes {
   VectorXd lambda, c;  // [1/s^2], [1/s] n, rigid modes with 0
   VectorXd g;          // [kg^-1/2] n
   double kappa;        // [N/m] > 0
+  std::vector<StaticYield> yields = {};
+
+  // [N/m] Of layer and static shapes in steps h [s]:
+  //
+  //   1/kappa' = 1/kappa + sum c/(1 + 4 beta/h)
+  //
+  // which is what backward differences of order 2 make of c (1 + beta d/dt)^-1 where a step turns its sign. Where it
+  // turns by less, and for explicit Euler at h = infinity, they yield more.
+  double stiffness(double h) const;
 };
 
 // scheme: "exact", "symplectic-euler", "central-difference", "explicit-euler" or "newmark"; else std::invalid_argument.
@@ -46,6 +60,7 @@ double pressed_limit(const PressedModes& pressed, const std::string& scheme, dou
 // kappa [N/m], h [s], gain [-] > 0.
 double opening_gain(double kappa, double m, double h);
 double opening_limit(double kappa, double m, double gain);
+double opening_limit(const PressedModes& pressed, double m, double gain);  // by its stiffness at that step
 
 // Middles [s] of those windows of kicks between closed forms that are narrower than 6 %, below `most`, ascending: with
 // omega' = omega + kappa g^2/(2 omega)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -23,6 +24,42 @@ TEST(ContactStability, ARigidMassIsLimitedByItsOwnFrequencyOnTheLayer) {
   EXPECT_NEAR(pressed_radius(rigid(2, 8e5), "exact", 0.5 / omega), 1, 1e-12);
   // x = omega h: (2 - x^2)/2 + x/2 sqrt(x^2 - 4) in absolute value
   EXPECT_NEAR(pressed_radius(rigid(2, 8e5), "exact", 3 / omega), (7 + 3 * std::sqrt(5.0)) / 2, 1e-9);
+}
+
+// A mass on a layer and massless shapes that are damped, K_s (s + beta s') = F by backward differences of order 2,
+// stepped by kicks and drifts: whether it grows over 2000 steps.
+bool grows(double m, double kappa, const StaticYield& yield, double h) {
+  double u = 1, v = 0, s = 0, s_before = 0, largest = 0;
+  const auto force = [&] {  // kappa (u - s) = (s + beta s')/c
+    const double slope = 1 + 1.5 * yield.beta / h, past = yield.beta / h * (2 * s - 0.5 * s_before);
+    const double now = (kappa * u + past / yield.c) / (kappa + slope / yield.c);
+    s_before = s, s = now;
+    return -kappa * (u - s);
+  };
+  double f = force();
+  for (int i = 0; i < 2000; ++i) {
+    v += h / (2 * m) * f;
+    u += h * v;
+    f = force();
+    v += h / (2 * m) * f;
+    largest = std::max(largest, std::abs(u));
+  }
+  return !(largest < 100);
+}
+
+TEST(ContactStability, DampedShapesYieldLessInShortSteps) {
+  const double m = 2, kappa = 8e5;
+  for (const double beta : {0.0, 1e-3, 1e-2})
+    for (const double c : {1e-7, 1e-5, 1e-3}) {  // times kappa: from stiff shapes to soft ones
+      PressedModes pressed = rigid(m, kappa);
+      pressed.yields = {{c, beta}};
+      const double limit = pressed_limit(pressed, "central-difference", 1);
+      EXPECT_FALSE(grows(m, kappa, pressed.yields[0], 0.98 * limit)) << beta << " " << c;
+      EXPECT_TRUE(grows(m, kappa, pressed.yields[0], 1.02 * limit)) << beta << " " << c;
+      EXPECT_NEAR(limit, 2 / std::sqrt(pressed.stiffness(limit) / m), 1e-6 * limit);
+      EXPECT_NEAR(opening_limit(pressed, m, 0.1),
+                  opening_limit(pressed.stiffness(opening_limit(pressed, m, 0.1)), m, 0.1), 1e-6 * limit);
+    }
 }
 
 // Without contact every scheme is as it is without: closed form stable at any step, Euler up to 2/omega.

@@ -33,6 +33,35 @@ Finding stiffness_table() {
                 {"change of impulse", "-"}});
 }
 
+// One layer: the first contact, and as coarser steps have it.
+struct Varied {
+  double factor;
+  FirstImpact fine, coarse;
+
+  double bar(double FirstImpact::*what) const { return std::abs(coarse.*what - fine.*what); }
+};
+
+// What stands in the row's last columns, and the bars of these.
+void finish_row(Finding& found, const Varied& now, const Varied& as_it_is) {
+  constexpr double FirstImpact::*all[] = {&FirstImpact::start, &FirstImpact::duration, &FirstImpact::peak,
+                                          &FirstImpact::impulse};
+  constexpr const char* names[] = {"first touch", "duration", "peak force", "impulse"};
+  std::vector<std::pair<const char*, double>> bars;
+  std::vector<FindingCell>& row = found.rows.back();
+  for (size_t i = 0; i < 4; ++i) {
+    row.emplace_back(now.fine.*all[i]);
+    bars.emplace_back(names[i], now.bar(all[i]));
+  }
+  constexpr const char* changes[] = {"change of duration", "change of peak force", "change of impulse"};
+  for (size_t i = 1; i < 4; ++i) {
+    const double a = now.fine.*all[i], b = as_it_is.fine.*all[i];
+    row.emplace_back(a / b - 1);
+    const double bar = now.factor == 1 ? 0 : (now.bar(all[i]) + as_it_is.bar(all[i]) * std::abs(a / b)) / std::abs(b);
+    bars.emplace_back(changes[i - 1], bar);
+  }
+  bar_last_row(found, bars);
+}
+
 }  // namespace
 
 std::vector<Finding> contact_stiffness(const AnalysisContext& context) {
@@ -42,31 +71,20 @@ std::vector<Finding> contact_stiffness(const AnalysisContext& context) {
   ContactVariants variants(context);
   const Touchdown down = touchdown(scene, scene.bodies.front());
   const auto add = [&](const Meeting& meeting, const std::string& contender, const ContactContender& answer) {
-    const Scene stated = variants.with_stiffness(meeting.contact, meeting.size.stiffness);
-    const FirstImpact as_it_is = first_impact(variants.simulate(stated, answer), truth),
-                      coarse = first_impact(variants.simulate_coarsely(stated, answer), truth);
-    const auto change = [](double a, double b) { return a / b - 1; };
-    const double of_duration = std::abs(change(coarse.duration, as_it_is.duration)),
-                 of_peak = std::abs(change(coarse.peak, as_it_is.peak)),
-                 of_impulse = std::abs(change(coarse.impulse, as_it_is.impulse));
+    const auto of = [&](double factor) {
+      const Scene varied = variants.with_stiffness(meeting.contact, factor * meeting.size.stiffness);
+      return Varied{factor, first_impact(variants.simulate(varied, answer), truth),
+                    first_impact(variants.simulate_coarsely(varied, answer), truth)};
+    };
+    const Varied as_it_is = of(1);
     for (const double factor : factors) {
-      const double k = factor * meeting.size.stiffness, twice = factor == 1 ? 0 : 2;
-      const FirstImpact now =
-          factor == 1 ? as_it_is
-                      : first_impact(variants.simulate(variants.with_stiffness(meeting.contact, k), answer), truth);
+      const Varied now = factor == 1 ? as_it_is : of(factor);
+      const double k = factor * meeting.size.stiffness;
       const bool lumped = scene.contacts[meeting.contact].law == ContactLaw::hertz;
       found.rows.push_back({scene.contacts[meeting.contact].obstacle, contender,
                             answer.modes < 0 ? not_applicable() : count(answer.modes), factor, k,
-                            lumped ? not_applicable() : number(k * meeting.size.radius / meeting.size.modulus),
-                            now.start, now.duration, now.peak, now.impulse, change(now.duration, as_it_is.duration),
-                            change(now.peak, as_it_is.peak), change(now.impulse, as_it_is.impulse)});
-      bar_last_row(found, {{"first touch", std::abs(coarse.start - as_it_is.start)},
-                           {"duration", of_duration * now.duration},
-                           {"peak force", of_peak * now.peak},
-                           {"impulse", of_impulse * std::abs(now.impulse)},
-                           {"change of duration", twice * of_duration},
-                           {"change of peak force", twice * of_peak},
-                           {"change of impulse", twice * of_impulse}});
+                            lumped ? not_applicable() : number(k * meeting.size.radius / meeting.size.modulus)});
+      finish_row(found, now, as_it_is);
     }
   };
   for (const Meeting& meeting : down.meetings) {

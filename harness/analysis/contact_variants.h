@@ -43,7 +43,8 @@ class ContactVariants {
   std::shared_ptr<const FloatingBases> bases(const Scene& scene, const ContactContender& contender) const;
   std::unique_ptr<Prepared> prepare(const Scene& scene, const ContactContender& contender) const;
   Trajectory simulate(const Scene& scene, const ContactContender& contender) const;  // at its sample times
-  // Likewise by steps twice as long, or at ten times the tolerance: what moves is more than steps leave it off by.
+  // Likewise by steps twice as long, or at ten times the tolerance: what moves is, where errors fall with the step by
+  // order one and more, as much as its steps leave it off by, and more.
   Trajectory simulate_coarsely(const Scene& scene, const ContactContender& contender) const;
   const ModalBody& body() const { return body_; }                           // the first
   const Modes& modes(std::size_t place) const { return modes_.at(place); }  // of any body

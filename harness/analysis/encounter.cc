@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "mechanics/geometry/shape.h"
+#include "mechanics/geometry/signed_distance.h"
 
 namespace mb {
 namespace {
@@ -24,20 +25,24 @@ PressedModes modes_at(const ContactVariants& variants, size_t place, const Vecto
   return {kept.omega.cwiseAbs2(), c, at.transpose() * n, 0};
 }
 
-// Mean of Psi^T n over the samples within a of the touch, or of the one that is next to it, and what bears it.
-double compliance(const FloatingBody& body, const MatrixXd& Psi, const Vector3d& n, const std::vector<Index>& near,
+constexpr double facing = 0.5;  // [-] cosine of a surface that meets what is touched: not of faces around an edge
+
+// Of the mean of Psi^T n over these samples, areas w.
+StaticYield yield(const FloatingBody& body, const MatrixXd& Psi, const Vector3d& n, const std::vector<Index>& near,
                   const VectorXd& w) {
   VectorXd psi = VectorXd::Zero(body.n_static());
   double area = 0;
   for (const Index i : near) psi += w[i] * Psi.middleRows<3>(3 * i).transpose() * n, area += w[i];
-  return psi.dot(body.static_stiffness.ldlt().solve(psi)) / (area * area);
+  return {psi.dot(body.static_stiffness.ldlt().solve(psi)) / (area * area), body.static_damping};
 }
 
-std::vector<Index> samples_within(const SurfaceSamples& samples, const Vector3d& X, double a) {
+// Within a of the touch, or the one that is next to it.
+std::vector<Index> samples_within(const Shape& shape, const SurfaceSamples& samples, const Vector3d& X, double a) {
   const VectorXd away = (samples.X.colwise() - X).colwise().norm();
+  const Vector3d outward = signed_distance(shape, X).gradient;
   std::vector<Index> near;
   for (Index i = 0; i < away.size(); ++i)
-    if (away[i] < a) near.push_back(i);
+    if (away[i] < a && signed_distance(shape, samples.X.col(i)).gradient.dot(outward) > facing) near.push_back(i);
   if (near.empty()) near.resize(1), away.minCoeff(&near.front());
   return near;
 }
@@ -73,22 +78,20 @@ PressedModes pressed(const ContactVariants& variants, const Encounter& encounter
   return all;
 }
 
-double static_compliance(const FloatingBases& bases, const Encounter& encounter) {
+std::vector<StaticYield> static_yields(const FloatingBases& bases, const Encounter& encounter) {
   const FloatingBasis& first = bases.front();
-  const auto meetings = touchdown(*first.scene, first.scene->bodies.front()).meetings;
+  const Body& body = first.scene->bodies.front();
+  const auto meetings = touchdown(*first.scene, body).meetings;
   const auto at = std::ranges::find(meetings, encounter.meeting.contact, &Meeting::contact) - meetings.begin();
   const SampledContact& contact = first.body.contacts.at(static_cast<size_t>(at));
-  const auto near = samples_within(contact.samples, encounter.meeting.X, encounter.meeting.size.radius);
-  const auto seen_by = [&](const FloatingBasis& basis) {
-    return Vector3d(basis.scene->bodies[basis.place].pose.orientation.conjugate() * encounter.normal);
+  const auto near = samples_within(body.shape, contact.samples, encounter.meeting.X, encounter.meeting.size.radius);
+  std::vector<StaticYield> all;
+  const auto add = [&](const FloatingBasis& basis, const MatrixXd& Psi) {
+    const Vector3d n = basis.scene->bodies[basis.place].pose.orientation.conjugate() * encounter.normal;
+    if (basis.body.n_static() > 0) all.push_back(yield(basis.body, Psi, n, near, contact.samples.w));
   };
-  double all = 0;
-  if (first.body.n_static() > 0)
-    all += compliance(first.body, contact.samples.Psi, seen_by(first), near, contact.samples.w);
-  if (!contact.partner) return all;
-  const FloatingBasis& other = bases.at(contact.partner->body);
-  if (other.body.n_static() > 0)
-    all += compliance(other.body, contact.partner->Psi.transpose(), seen_by(other), near, contact.samples.w);
+  add(first, contact.samples.Psi);
+  if (contact.partner) add(bases.at(contact.partner->body), contact.partner->Psi.transpose());
   return all;
 }
 

@@ -21,12 +21,12 @@ Encounter first_encounter(const Scene& scene);
 // The first r elastic modes of both bodies and their rigid ones, the layer `factor` times as stiff as the scene's.
 PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, double factor);
 
-// c [m/N], what static shapes add to the compliance of that area, in balance as they are with the force on it:
+// What static shapes of both bodies add to the compliance of that area, in balance as they are with the force on it:
 //
-//   c = sum over both bodies  psi^T K_s^-1 psi,   psi = mean over |X - X_c| < a of Psi^T n,   1/kappa' = 1/kappa + c
+//   c = psi^T K_s^-1 psi,   psi = mean over |X - X_c| < a of Psi^T n
 //
-// 0 of bases that have none.
-double static_compliance(const FloatingBases& bases, const Encounter& encounter);
+// over samples that face what is met. None of bases that have none.
+std::vector<StaticYield> static_yields(const FloatingBases& bases, const Encounter& encounter);
 
 // What is slower than its weight alone would have it be, at rest above all, is thrown at that, `flight` [s] before it
 // touches.

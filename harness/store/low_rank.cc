@@ -66,7 +66,7 @@ std::optional<LowRank> low_rank_of_tall(const MatrixXd& A, double tolerance) {
   if (!std::isfinite(size)) return std::nullopt;  // entries beyond 1e154 overflow in the norms
   if (size == 0) return LowRank{MatrixXd::Zero(m, 1), MatrixXd::Zero(1, n)};
   const auto Q = basis_of(A, share * tolerance * size, m * n / (m + n) + 1);
-  if (!Q) return std::nullopt;
+  if (!Q || Q->cols() == 0) return std::nullopt;  // squares of entries below 1e-162 are none
 
   const Svd svd = svd_of_tall(A.transpose() * *Q);  // A = Q (V S U^T)
   const Index rank = std::max<Index>(1, (svd.sigma.array() > (1 - share) * tolerance * svd.sigma(0)).count());

@@ -63,6 +63,30 @@ TEST(LowRank, OfManyColumnsIsNearlyTheBest) {
   }
 }
 
+// Each wave a third of the one before: a block holds sizes from its largest to the tolerance, and what is left of the
+// blocks before it in the small ones is rounding of the large.
+TEST(LowRank, OfAMotionThatFallsSteeplyIsNearlyTheBest) {
+  const auto shapes = [](Index n) {
+    MatrixXd all(n, 60);
+    for (Index k = 0; k < 60; ++k)
+      all.col(k) = (static_cast<double>(k + 1) * VectorXd::LinSpaced(n, 0, 3).array()).sin();
+    return all;
+  };
+  const VectorXd fall = VectorXd::LinSpaced(60, 0, -29.5).unaryExpr([](double e) { return std::pow(10.0, e); });
+  const MatrixXd A = shapes(600) * fall.asDiagonal() * shapes(320).transpose();
+  const VectorXd sigma = singular_values(A);
+  for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
+    const auto factors = low_rank(A, tolerance);
+    ASSERT_TRUE(factors) << tolerance;
+    EXPECT_LE(factors->left.cols(), (sigma.array() > tolerance * sigma[0]).count() + 2);
+    EXPECT_LT(spectral_norm(factors->left * factors->right - A), (tolerance + 1e-14) * sigma[0]);
+  }
+}
+
+TEST(LowRank, OfEntriesWhoseSquaresUnderflowIsNone) {
+  EXPECT_FALSE(low_rank(VectorXd::Constant(30, 1e-81) * VectorXd::Constant(20, 1e-81).transpose(), 1e-12));
+}
+
 TEST(LowRank, ZeroHasRankOneAndStaysZero) {
   const auto factors = low_rank(MatrixXd::Zero(30, 20), 1e-12);
   ASSERT_TRUE(factors);

@@ -37,6 +37,7 @@ int with_work(const Call& call) {
   std::vector<double> work(1);
   std::vector<int> whole(1);
   if (const int info = call(work, -1, whole, -1)) return info;
+  if (!(work[0] >= 1 && work[0] <= std::numeric_limits<int>::max())) return -1;  // it counts in int, and wraps
   work.resize(static_cast<size_t>(work[0]));
   whole.resize(static_cast<size_t>(whole[0]));
   return call(work, static_cast<int>(work.size()), whole, static_cast<int>(whole.size()));

@@ -95,8 +95,8 @@ void ContactLoads::push(const VectorXd& s) {
   }
 }
 
-// Newton's method; where a step does not lessen the imbalance, half of it. Balanced, too, where a whole step is next to
-// nothing of s: in stiff layers the rounding of places, k w eps |x|, is more of the forces than that.
+// Newton's method; where a step does not lessen the imbalance, half of it. Balanced, too, where a step that is next to
+// nothing of s leaves more than half of the imbalance: that is rounding of places in a stiff layer, k w eps |x|.
 bool ContactLoads::balance(VectorXd& s) {
   const VectorXd slope = 1 + by_s() * beta_.array(), carried = beta_.cwiseProduct(past());
   const auto imbalance = [&] {
@@ -113,10 +113,11 @@ bool ContactLoads::balance(VectorXd& s) {
     if (!std::isfinite(off)) return false;
     if (off <= balanced * std::max(size, at_first)) return true;
     step_ = factor_.compute(H_).solve(r_);
-    if (step_.norm() <= balanced * s.norm()) return true;
+    const bool next_to_nothing = step_.norm() <= balanced * s.norm();
     for (int halving = 0; halving < 10; ++halving, step_ /= 2) {
       s += step_;
       const auto [off_next, size_next] = imbalance();
+      if (next_to_nothing && !(off_next < off / 2)) return true;
       if (off_next < off || halving == 9) {
         off = off_next, size = size_next;
         break;

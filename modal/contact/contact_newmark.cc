@@ -14,7 +14,7 @@ namespace {
 constexpr int max_iterations = 30;
 constexpr double least_part = 1.0 / 128;  // [-] of Newton's step
 constexpr double tolerance = 1e-10;       // [-] of the momenta in play: far below the error of any step
-constexpr double near = 1e-7;  // [-] likewise, where rounding stops Newton: of places in a stiff layer, over a step
+constexpr double near = 1e-7;  // [-] likewise, where Newton comes no nearer: in a stiff layer places are rounded
 
 // One step of a body from `state`, whose load is known, on.
 class NewmarkStep {
@@ -147,11 +147,11 @@ class NewmarkSteps {
     return sum;
   }
   bool balanced(const VectorXd& residual) { return is_small(size(residual), tolerance); }
-  // Newton's own change of the rates: how far off they are.
-  bool is_near(const VectorXd& change) {
+  // By what is left and by Newton's own change of the rates.
+  bool is_near(const VectorXd& residual, const VectorXd& change) {
     double sum = 0;
     each(change, [&](NewmarkStep& step, const auto& own) { sum = std::hypot(sum, step.size_of_rates(own)); });
-    return is_small(sum, near);
+    return is_small(size(residual), near) && is_small(sum, near);
   }
   VectorXd newton_step(const VectorXd& residual, MatrixXd jacobian) {
     Index first = 0;
@@ -218,7 +218,8 @@ bool ContactStepper::advance_by_newmark(std::span<ContactState> states) {
       residual = imbalance(y - part * change);
     }
     y -= part * change;
-    if (!(step.size(residual) < before / 2) && step.is_near(change)) break;
+    const double after = step.size(residual);
+    if (!(after < before / 2) && step.is_near(residual, change)) break;
   }
   step.hand_over();
   return converged(states);

@@ -173,7 +173,6 @@ TEST(ContactStep, SchemesAgree) {
   }
 }
 
-// General and flat evaluation of one half-space: friction of a vanishing coefficient takes the general one.
 // A kilometre from the origin places round by 1e-13 m, which this layer makes a hundredth of a newton of: Newton's
 // method comes no nearer than that times the step, 1e-9 of the momentum. Motion is as near the origin, to what hundred
 // such steps add up to.
@@ -197,6 +196,7 @@ TEST(ContactStep, AverageAccelerationEndsWhereRoundingStopsIt) {
   EXPECT_GT(here.z(), 0);  // it has bounced
 }
 
+// General and flat evaluation of one half-space: friction of a vanishing coefficient takes the general one.
 TEST(ContactLoad, FlatAndGeneralAgree) {
   FloatingBody flat = vibrating(0.3), general = flat;
   general.contacts[0].law.friction = Friction{1e-14, 1.0};
