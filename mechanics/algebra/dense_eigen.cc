@@ -77,7 +77,7 @@ std::optional<EigenPairs> generalized(const MatrixXd& K, const MatrixXd& M, bool
   return pairs;
 }
 
-// Divide and conquer. Eigen's BDCSVD returned factors of another matrix, and success, for graded A (3.4.0).
+// Divide and conquer. Of some graded A Eigen's BDCSVD (3.4.0) says success, and V is not orthonormal.
 Svd decomposed(MatrixXd A, bool with_vectors) {
   const int m = int_of(A.rows()), n = int_of(A.cols()), k = std::min(m, n), stride = std::max(m, 1),
             rank = std::max(k, 1);
