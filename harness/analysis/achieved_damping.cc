@@ -6,6 +6,7 @@
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/modal_body.h"
 #include "harness/analysis/step_damping.h"
+#include "harness/analysis/told.h"
 #include "mechanics/system/exact.h"
 #include "modal/methods/projection.h"
 
@@ -42,11 +43,13 @@ double by_decay(const System& reduced, Index i, double omega, double expected) {
   return left > 0 ? decrement / std::hypot(2 * pi, decrement) : nan;
 }
 
-// Largest |C_ij| / sqrt(C_ii C_jj), j != i, of Phi^T C Phi: 0 where damping leaves the modes uncoupled.
+// Largest |C_ij| / sqrt(C_ii C_jj), j != i, of Phi^T C Phi: 0 where damping leaves the modes uncoupled, as far as
+// rounding of the products, a part of C's largest entry, lets it be known.
 double coupling(const MatrixXd& C, Index i) {
+  const double rounding = 1e-13 * C.cwiseAbs().maxCoeff();
   double largest = 0;
   for (Index j = 0; j < C.cols(); ++j)
-    if (const double scale = std::sqrt(C(i, i) * C(j, j)); j != i && scale > 0)
+    if (const double scale = std::sqrt(C(i, i) * C(j, j)); j != i && std::abs(C(i, j)) > rounding && scale > 0)
       largest = std::max(largest, std::abs(C(i, j)) / scale);
   return largest;
 }
@@ -77,7 +80,8 @@ Finding steps_table() {
       "this mode, |ln lambda| the phase and decay of one step: the ratio of an exact step. Run: the same from the "
       "displacements of the integrator itself, let go from rest in the mode with all others kept. Negative: the mode "
       "grows where it ought to decay. Not applicable where the answer does not swing. Difference: scheme less asked. "
-      "At most eight of the modes kept, spread over them; integrators of fixed step.",
+      "At most eight of the modes kept, spread over them; integrators of fixed step. Bars: the distance to the same on "
+      "another mesh of the case.",
       {{"mode", ""},
        {"frequency", "Hz"},
        {"zeta asked", "-"},
@@ -87,6 +91,25 @@ Finding steps_table() {
        {"zeta of scheme", "-"},
        {"zeta of run", "-"},
        {"difference", "-"}});
+}
+
+Finding ratios_table() {
+  return table(
+      "damping", "damping", "Damping ratios asked for and achieved",
+      "Asked: the scene's ratio of the mode, or Rayleigh's alpha/(2 omega) + beta omega/2. Full: phi^T C phi/(2 omega) "
+      "by the damping operator of the full system; reduced: the same of the reduced one. By decay: logarithmic "
+      "decrement over one period of the mode let go from rest, in closed form: these must agree, and show that "
+      "reduction changes no ratio. What steps make of it stands in table damping-of-steps. Coupling: largest "
+      "|C_ij|/sqrt(C_ii C_jj) with the other modes of the table, 0 where they stay uncoupled to 1e-13 of C's largest. "
+      "Bars: the distance to "
+      "the same on another mesh of the case.",
+      {{"mode", ""},
+       {"frequency", "Hz"},
+       {"zeta asked", "-"},
+       {"zeta full", "-"},
+       {"zeta reduced", "-"},
+       {"zeta by decay", "-"},
+       {"coupling", "-"}});
 }
 
 // zeta: of the reduced system, as steps meet it; asked: of the scene.
@@ -107,11 +130,9 @@ Finding damping_of_steps(const AnalysisContext& context, const Steps& steps, con
   return found;
 }
 
-}  // namespace
-
-std::vector<Finding> achieved_damping(const AnalysisContext& context) {
+std::vector<Finding> on_mesh(const AnalysisContext& context, const Resolution& meshes) {
   const Body& scene_body = context.scene->bodies.front();
-  const ModalBody body = modal_body(context, n_modes);
+  const ModalBody body = modal_body(context, n_modes, meshes);
   const Index n_rigid = body.modes.n_rigid, n = body.modes.size() - n_rigid;
   const System reduced = project(body.system, body.modes);
   const Modes unit{n_rigid, body.modes.omega, MatrixXd::Identity(body.modes.size(), body.modes.size()), {}, 0};
@@ -120,22 +141,7 @@ std::vector<Finding> achieved_damping(const AnalysisContext& context) {
   MatrixXd C(n, n);
   for (Index i = 0; i < n; ++i)
     C.row(i) = body.modes.Phi.rightCols(n).transpose() * apply_damping(body.system, body.modes.Phi.col(n_rigid + i));
-  Finding found = table(
-      "damping", "damping", "Damping ratios asked for and achieved",
-      "Asked: the scene's ratio of the mode, or Rayleigh's alpha/(2 omega) + beta omega/2. Full: phi^T C phi/(2 omega) "
-      "by "
-      "the damping operator of the full system; reduced: the same of the reduced one. By decay: logarithmic decrement "
-      "over one period of the mode let go from rest, in closed form: these must agree, and show that reduction changes "
-      "no ratio. What steps make of it stands in table damping-of-steps. Coupling: largest |C_ij|/sqrt(C_ii C_jj) with "
-      "the "
-      "other modes of the table, 0 where they stay uncoupled.",
-      {{"mode", ""},
-       {"frequency", "Hz"},
-       {"zeta asked", "-"},
-       {"zeta full", "-"},
-       {"zeta reduced", "-"},
-       {"zeta by decay", "-"},
-       {"coupling", "-"}});
+  Finding found = ratios_table();
   for (Index i = 0; i < n; ++i) {
     const double omega = body.modes.omega(n_rigid + i);
     found.rows.push_back({count(i + 1), omega / (2 * pi), of_scene(i), of_full(i), of_reduced(i),
@@ -147,6 +153,14 @@ std::vector<Finding> achieved_damping(const AnalysisContext& context) {
   const Index n_kept = kept.size() - n_rigid;
   return {found, damping_of_steps(context, steps, project(body.system, kept), kept.omega.tail(n_kept),
                                   of_reduced.head(n_kept), of_scene.head(n_kept))};
+}
+
+}  // namespace
+
+std::vector<Finding> achieved_damping(const AnalysisContext& context) {
+  std::vector<Finding> found = on_mesh(context, own_meshes(*context.scene));
+  add_bars(found, on_mesh(context, another_mesh(*context.scene)));
+  return found;
 }
 
 }  // namespace mb

@@ -4,6 +4,7 @@
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/dropped_coupling.h"
 #include "harness/analysis/modal_body.h"
+#include "harness/analysis/told.h"
 #include "mechanics/system/complex_modes.h"
 #include "modal/methods/projection.h"
 
@@ -19,7 +20,8 @@ Finding errors_table() {
                "Phi^T C Phi whole, by complex modes in closed form, against its diagonal alone, as classical damping "
                "has it: elastic part, M norm over the scene's samples. Coupling: largest |C_ij| / sqrt(C_ii C_jj). "
                "Condition: of the complex modes, which grows where two of them become critical. Closed form against "
-               "steps: the same system by adaptive Runge-Kutta steps at rtol 1e-8.",
+               "steps: the same system by adaptive Runge-Kutta steps at rtol 1e-8. Bars: the distance to the same on "
+               "another mesh of the case.",
                {{"modes r", ""},
                 {"coupling", "-"},
                 {"error of dropping", "-"},
@@ -32,7 +34,7 @@ Finding modes_table() {
       "damping-coupling", "damping-coupling-modes", "Complex modes beside undamped ones",
       "Eigenvalues mu of the damped system in its largest number of modes, slowest first: frequency |mu|/2 pi, "
       "ratio -Re(mu)/|mu|, 1 where it does not swing. Beside each the undamped mode which holds most of its "
-      "energy, with the ratio that the diagonal gives it.",
+      "energy, with the ratio that the diagonal gives it. Bars: the distance to the same on another mesh of the case.",
       {{"complex mode", ""},
        {"frequency", "Hz"},
        {"ratio", "-"},
@@ -56,12 +58,9 @@ void add_modes(Finding& found, const VectorXd& omega, const MatrixXd& C, const C
   }
 }
 
-}  // namespace
-
-std::vector<Finding> coupled_damping(const AnalysisContext& context) {
+std::vector<Finding> on_mesh(const AnalysisContext& context, const std::vector<int>& counts, const Resolution& meshes) {
   const Scene& scene = *context.scene;
-  const std::vector<int> counts = few(mode_counts(context), counts_tried);
-  const ModalBody body = modal_body(context, counts.back());
+  const ModalBody body = modal_body(context, counts.back(), meshes);
   Finding errors = errors_table(), of_modes = modes_table();
   for (const int r : counts) {
     const Modes kept = leading(body.modes, r);
@@ -77,6 +76,15 @@ std::vector<Finding> coupled_damping(const AnalysisContext& context) {
     if (r == counts.back()) add_modes(of_modes, omega, C, modes);
   }
   return {errors, of_modes};
+}
+
+}  // namespace
+
+std::vector<Finding> coupled_damping(const AnalysisContext& context) {
+  const std::vector<int> counts = few(mode_counts(context), counts_tried);
+  std::vector<Finding> found = on_mesh(context, counts, own_meshes(*context.scene));
+  add_bars(found, on_mesh(context, counts, another_mesh(*context.scene)));
+  return found;
 }
 
 }  // namespace mb

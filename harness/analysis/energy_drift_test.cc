@@ -45,6 +45,8 @@ TEST(EnergyDrift, FindsAKnownLossAndItsExponent) {
   EXPECT_NEAR(found.swing, loss * drift_window, 1e-12);
   const double first = 1 - loss * (drift_window + 1) / 2;  // the mean of the first window, whose weights are symmetric
   EXPECT_NEAR(found.drift, -loss * (n_steps - drift_window) / first, 1e-12);
+  const double first_of_half = 1 - loss * (1.5 * drift_window + 1) / 2;
+  EXPECT_NEAR(found.bar, 3. / 7 * loss * (n_steps - drift_window) * std::abs(1 / first - 1 / first_of_half), 1e-12);
   EXPECT_NEAR(found.law.exponent, 1, 1e-9);
   EXPECT_EQ(found.law.n_points, 6);
 }
@@ -74,7 +76,8 @@ TEST(EnergyDrift, SaysWhatWentWrong) {
   const EnergyDrift found =
       energy_drift(default_catalogue().integrator("explicit-euler"), test::oscillators(omega, {}), 1, n_steps);
   EXPECT_EQ(found.status, Status::not_finite);
-  EXPECT_TRUE(std::isnan(found.drift) && std::isnan(found.swing) && std::isnan(found.law.exponent));
+  EXPECT_TRUE(std::isnan(found.drift) && std::isnan(found.bar) && std::isnan(found.swing) &&
+              std::isnan(found.law.exponent));
 }
 
 TEST(EnergyDrift, RefusesBadInput) {

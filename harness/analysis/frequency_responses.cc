@@ -118,11 +118,9 @@ RowVectorXd at_probe(const ModalBody& body, const Probe& probe) {
   return probe.direction.transpose() * body.model.full->displacement_at(Matrix3Xd(probe.point));
 }
 
-// Of r modes with static correction on a mesh of the truth, coarser or, where that is the body's own, finer.
+// Of r modes with static correction.
 Response on_another_mesh(const AnalysisContext& context, const Probe& probe, int r) {
-  const Scene& scene = *context.scene;
-  const bool is_own = scene.truth.coarser == own_meshes(scene);
-  const ModalBody body = modal_body(context, r, is_own ? scene.truth.finer : scene.truth.coarser);
+  const ModalBody body = modal_body(context, r, another_mesh(*context.scene));
   return reduced(body, at_probe(body, probe), r, inertia_relief(body.system, body.shifted, body.system.F)).corrected;
 }
 

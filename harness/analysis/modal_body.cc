@@ -48,6 +48,10 @@ ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolu
   return {scene_model, model, system, std::move(shifted), std::move(modes)};
 }
 
+Resolution another_mesh(const Scene& scene) {
+  return scene.truth.coarser == own_meshes(scene) ? scene.truth.finer : scene.truth.coarser;
+}
+
 std::vector<int> mode_counts(const AnalysisContext& context) {
   const Scene& scene = *context.scene;
   std::set<int> all(scene.study.modes.begin(), scene.study.modes.end());

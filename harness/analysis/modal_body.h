@@ -28,6 +28,8 @@ struct ModalBody {
 // With n_elastic elastic modes, if the body has as many; on its own mesh, or on that of a whole scene's.
 ModalBody modal_body(const AnalysisContext& context, int n_elastic);
 ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolution& meshes);
+// What tells how far numbers of the own mesh depend on it: the truth's `coarser` or, where that is the own, `finer`.
+Resolution another_mesh(const Scene& scene);
 
 // Of a mesh that the case does not state, so that nobody has asked yet whether it fits: throws std::runtime_error with
 // both numbers where it takes more memory than there is.

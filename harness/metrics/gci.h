@@ -30,8 +30,7 @@ struct GridConvergence {
 std::optional<GridConvergence> grid_convergence(double f1, double f2, double f3, double refinement);
 
 // [-] GCI of f1 from two meshes of the order of theory, > 0 else std::invalid_argument, as for a ratio that is not
-// above
-// 1. Nothing where an answer is not finite or f1 is 0.
+// above 1. Nothing where an answer is not finite or f1 is 0.
 std::optional<double> gci_of_two(double f1, double f2, double refinement, double order);
 
 }  // namespace mb
