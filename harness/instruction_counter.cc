@@ -6,13 +6,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 
+#include "harness/callgrind_dump.h"
 #include "harness/study/processes.h"
 #include "reports/held_signals.h"
 
@@ -137,26 +138,25 @@ InstructionCounts count_instructions(const fs::path& program, const std::vector<
   held.reset();
   const int code = ended(child, at_most, passed_on);
   require_not_ended_from_outside(code);
-  InstructionCounts counts{read_dumps(scratch.path()), code == 0 ? "" : reason(code, at_most)};
-  if (code == 0 && counts.by_name.empty()) counts.missing = "the program was built without valgrind's headers";
+  InstructionCounts counts = read_dumps(scratch.path());
+  if (code != 0)
+    counts.missing = reason(code, at_most);  // which is why dumps are cut off, too
+  else if (counts.by_name.empty() && counts.missing.empty())
+    counts.missing = "the program was built without valgrind's headers";
   return counts;
 }
 
-std::map<std::string, double> read_dumps(const fs::path& folder) {
-  static const std::string name_key = "desc: Trigger: Client Request: ", total_key = "totals: ";
-  std::map<std::string, double> all;
+InstructionCounts read_dumps(const fs::path& folder) {
+  InstructionCounts counts;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    std::ifstream file(entry.path());
-    std::string name;
-    for (std::string line; std::getline(file, line);) {
-      if (line.starts_with(name_key)) name = line.substr(name_key.size());
-      double total = 0;  // a dump that was cut off has none
-      if (!line.starts_with(total_key) || name.empty()) continue;
-      const char* const from = line.data() + total_key.size();
-      if (std::from_chars(from, line.data() + line.size(), total).ec == std::errc()) all[name] = total;
-    }
+    std::ifstream file(entry.path(), std::ios::binary);
+    const DumpedCount count = dumped_count(std::string(std::istreambuf_iterator<char>(file), {}));
+    if (!count.problem.empty())
+      counts.missing = count.problem;
+    else if (!count.name.empty())
+      counts.by_name[count.name] = count.instructions;
   }
-  return all;
+  return counts;
 }
 
 }  // namespace mb

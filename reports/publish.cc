@@ -3,17 +3,15 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
-#include <map>
 #include <set>
-#include <sstream>
 #include <system_error>
 
 #include "cases/scene/table_file.h"
 #include "reports/held_signals.h"
+#include "reports/listed_files.h"
 
 namespace mb {
 namespace {
@@ -84,25 +82,9 @@ void remove_abandoned(const fs::path& directory) {
 
 constexpr std::size_t longest_list = 1 << 20;  // [bytes]
 
-// The list may have been edited: nothing outside the report's own folders and kinds of file is ever removed for it, and
-// beside them, where others keep theirs, nothing of another name.
-bool may_be_ours(const fs::path& path) {
-  static const std::set<std::string> pages = {"report.md", "report.html", "verification.md"};
-  static const std::map<std::string, std::set<std::string>> endings = {
-      {"data", {".csv", ".jsonl", ".txt"}}, {"tables", {".tex"}}, {"figures", {".json"}}};
-  if (path.lexically_normal() != path) return false;
-  const auto folder = endings.find(path.parent_path().string());
-  return pages.contains(path.string()) ||
-         (folder != endings.end() && folder->second.contains(path.extension().string()));
-}
-
-std::set<fs::path> files_of_report_in(const fs::path& directory) {
-  std::set<fs::path> files;  // none where the list is no list
-  std::istringstream lines(read_text_file(directory / list_of_files, longest_list).text);
-  for (std::string line; std::getline(lines, line);) {
-    if (may_be_ours(line)) files.insert(line);
-  }
-  return files;
+std::set<fs::path> files_of_report_in(const fs::path& directory) {  // none where the list is no list
+  const std::set<std::string> files = listed_files(read_text_file(directory / list_of_files, longest_list).text);
+  return {files.begin(), files.end()};
 }
 
 // A figure goes with the drawing that web/svg.mjs puts beside it.
@@ -114,7 +96,7 @@ void remove_figure_or_file(const fs::path& path) {
   if (name.ends_with(figure)) fs::remove(name.substr(0, name.size() - figure.size()) + ".svg", ignored);
 }
 
-ReportFile listed_files(const std::vector<ReportFile>& files) {
+ReportFile list_of(const std::vector<ReportFile>& files) {
   std::string text;
   for (const ReportFile& file : files) text += file.path.generic_string() + "\n";
   return {list_of_files, text + list_of_files + "\n"};
@@ -123,7 +105,7 @@ ReportFile listed_files(const std::vector<ReportFile>& files) {
 }  // namespace
 
 std::vector<fs::path> publish(std::vector<ReportFile> files, const fs::path& directory) {
-  files.push_back(listed_files(files));
+  files.push_back(list_of(files));
   const HeldSignals held;  // Ctrl-C comes after the last file, and leaves neither half a report nor what was put aside
   make_folder(directory);
   remove_abandoned(directory);

@@ -8,7 +8,10 @@
 #include <set>
 #include <sstream>
 
+#include "reports/content.h"
 #include "reports/held_signals.h"
+#include "reports/listed_files.h"
+#include "reports/synthetic.h"
 
 namespace mb {
 namespace {
@@ -126,6 +129,26 @@ TEST_F(Publish, AListThatNamesOtherFilesRemovesNone) {
   fs::remove(outside);
   EXPECT_THAT(files(), ::testing::ElementsAre("data/files.txt", "data/sub/mine.csv", "mine.cc", "notes.md",
                                               "other/mine.csv", "report.md", "tables/mine.csv"));
+}
+
+// A name ends where the file system ends it, at NUL; others' names have blanks and further dots.
+TEST_F(Publish, AListWithNamesThatNoReportGivesRemovesNone) {
+  using namespace std::string_literals;
+  publish({{"report.md", "1"}}, directory_);
+  for (const char* mine : {"data/mine.odt", "data/my notes.csv", "data/mine.old.csv", "figures/mine", "figures/a.json"})
+    put(mine, "kept");
+  put("data/files.txt",
+      "data/mine.odt\0.csv\ndata/my notes.csv\ndata/mine.old.csv\nfigures/mine\0.vl.json\nfigures/a.json\n"s);
+  publish({{"report.md", "2"}}, directory_);
+  EXPECT_THAT(files(), ::testing::ElementsAre("data/files.txt", "data/mine.odt", "data/mine.old.csv",
+                                              "data/my notes.csv", "figures/a.json", "figures/mine", "report.md"));
+}
+
+TEST_F(Publish, EveryFileOfAReportIsOneThatTheNextMayRemove) {
+  std::set<std::string> all;
+  for (const fs::path& file : write_report(synthetic::input(), directory_))
+    all.insert(file.lexically_relative(directory_).generic_string());
+  EXPECT_EQ(listed_files(read(directory_ / list_of_files)), all);
 }
 
 int n_signals = 0;

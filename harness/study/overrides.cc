@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "cases/scene/printable.h"
 #include "cases/scene/read_study.h"
 #include "harness/study/study_table.h"
 
@@ -33,6 +34,17 @@ bool is_text(const TomlValue& value, const std::string& text) {
 // "none" stands alone: among other words it is one that nobody knows.
 bool is_none(const TomlArray& words) { return words.items.size() == 1 && is_text(words.items[0], "none"); }
 
+// What the case itself states has no place among the words: where it is refused for one of them, it is shown at that.
+void place(TomlValue& value, const Position& where) {
+  if (value.where.line > 0) return;
+  value.where = where;
+  if (auto* const array = std::get_if<TomlArray>(&value.value))
+    for (TomlValue& item : array->items) place(item, where);
+}
+void place(TomlFields& fields, const Position& where) {
+  for (auto& [key, value] : fields) place(value, where);
+}
+
 // One study, changed value by value into the tables of the study that is asked for.
 class Change {
  public:
@@ -47,6 +59,7 @@ class Change {
   }
 
   StudyTable run() {
+    for (const char* key : {"modal.integrators", "rival.integrators"}) refuse_repeated(key);
     change_modal();
     change_rivals();
     refuse_idle_keys();
@@ -64,7 +77,19 @@ class Change {
     const TomlValue* const found = asked_.find(key);
     if (!found) return;
     fields[name] = *found;
+    place(fields, found->where);
     taken_.insert(key);
+  }
+
+  // Each makes a table of its own: the reader would not know that they were one list.
+  void refuse_repeated(const std::string& key) {
+    const auto* const list = words(key);
+    if (!list) return;
+    for (auto here = list->items.begin(); here != list->items.end(); ++here) {
+      const auto* const name = std::get_if<std::string>(&here->value);
+      if (name && std::any_of(list->items.begin(), here, [&](const auto& other) { return is_text(other, *name); }))
+        findings_.error(here->where, fmt::format("'{}' is listed twice", printable(*name)));
+    }
   }
 
   // "relative_tolerances" or "time_steps", what the accuracy of the table's integrator is set by.
@@ -99,6 +124,7 @@ class Change {
       if (is_text(name, "exact")) continue;
       TomlFields stepping{{"integrator", name}, {"methods", all_.fields.at("methods")}};
       if (all_.fields.contains("modes")) stepping["modes"] = all_.fields.at("modes");
+      place(stepping, name.where);
       replace(stepping, accuracy(stepping), "modal." + accuracy(stepping));
       all_.steppings.push_back(std::move(stepping));
     }
@@ -134,9 +160,11 @@ class Change {
         };
         const size_t n = asked_for.size();
         std::ranges::copy_if(all_.rivals, std::back_inserter(asked_for), is_its);
-        if (asked_for.size() > n) continue;
-        asked_for.push_back(fields_of(Rival{"", {1, 2}, {}, {}, {}}));
-        asked_for.back()["integrator"] = name;
+        if (asked_for.size() == n) {
+          asked_for.push_back(fields_of(Rival{"", {1, 2}, {}, {}, {}}));
+          asked_for.back()["integrator"] = name;
+        }
+        for (size_t i = n; i < asked_for.size(); ++i) place(asked_for[i], name.where);
       }
       all_.rivals = std::move(asked_for);
     }
@@ -165,7 +193,7 @@ std::vector<BodyDraft> drafts(const Scene& scene) {
                     .resolution = body.resolution,
                     .damping = {},
                     .supports = {},
-                    .dashpots = {}};
+                    .dashpots = {.dashpots = body.dashpots, .at = {}}};
     draft.damping.ratios = body.damping_ratios;
     draft.supports.supports = body.supports;
     draft.theory = body.theory;

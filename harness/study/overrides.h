@@ -24,7 +24,7 @@ class Overrides {
   Overrides(const std::vector<std::string>& assignments, const Vocabulary& vocabulary);
   bool empty() const { return assignments_.values.empty(); }
   // Throws CaseErrors with every value that the reader would refuse in this case, and where an integrator is given no
-  // step or tolerance.
+  // step or tolerance, or twice. What the case itself states and is wrong beside one is shown at that.
   Scene applied(Scene scene) const;
 
  private:

@@ -26,6 +26,17 @@ std::string complaint(const std::vector<std::string>& assignments, const std::st
   return "";
 }
 
+std::string complaint_of(const char* case_file, const std::vector<std::string>& assignments) {
+  const Vocabulary words = default_catalogue().vocabulary();
+  const Scene scene = read_toml(fs::path(MB_SOURCE_DIR "/cases") / case_file, words);
+  try {
+    Overrides(assignments, words).applied(scene);
+  } catch (const CaseErrors& errors) {
+    return errors.what();
+  }
+  return "";
+}
+
 TEST(OverridesTest, ReplaceWhatTheyNameAndNothingElse) {
   const Scene scene = overridden({"modal.methods=eigenmodes,linear", "modal.modes=1,2,3"});
   EXPECT_THAT(scene.study.methods, ElementsAre("eigenmodes", "linear"));
@@ -97,6 +108,29 @@ TEST(OverridesTest, KeysThatNoContenderTakesAreRefused) {
   EXPECT_THAT(both, ::testing::Not(HasSubstr("takes 'modal.time_steps'")));
   EXPECT_THAT(complaint({"modal.integrators=newmark", "modal.time_steps=0.01", "modal.methods=full", "modal.modes=3"}),
               HasSubstr("no contender of the study takes 'modal.modes'"));
+}
+
+TEST(OverridesTest, AnIntegratorListedTwiceIsRefused) {
+  EXPECT_THAT(complaint({"rival.integrators=newmark,newmark"}),
+              HasSubstr("small --set:1:27: error: 'newmark' is listed twice"));
+  EXPECT_THAT(complaint({"modal.time_steps=0.01", "modal.integrators=exact,newmark,exact"}),
+              HasSubstr("small --set:2:33: error: 'exact' is listed twice"));
+}
+
+// Modes that a dashpot couples are as many and of such analyses as a case file may ask for.
+TEST(OverridesTest, TheLimitsOfADashpotHold) {
+  EXPECT_THAT(complaint_of("hard/dashpot.toml", {"study.analyses=step-limits"}),
+              HasSubstr("dashpot --set:1:16: error: analysis 'step-limits' is of modes one by one"));
+}
+
+// It has no place of its own on the command line.
+TEST(OverridesTest, WhatTheCaseStatesIsRefusedAtTheWordsThatMakeItWrong) {
+  EXPECT_THAT(complaint_of("ball-on-two-by-four.toml", {"study.analyses=none", "rival.cells=2"}),
+              HasSubstr("ball-on-two-by-four --set:2:13: error: 'second_cells' has 2 entries, 'cells' 1: one a mesh"));
+  std::string steps = "rival.time_steps=0.01";
+  for (int i = 1; i < 64; ++i) steps += ",0.01";
+  EXPECT_THAT(complaint({"modal.modes=4", steps, "rival.degrees=1,2,3,4", "rival.cells=1x1,1x2,1x3,1x4"}),
+              HasSubstr("small --set:3:15: error: 1024 rival runs: at most 1000"));
 }
 
 // A rival on the bodies' own meshes keeps them, beside one that does not and alone.

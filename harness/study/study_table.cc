@@ -34,11 +34,15 @@ TomlTable table(const TomlFields& fields) {
   return all;
 }
 
-// Errors of a whole table are shown where its integrator was named.
+// Errors of a whole table are shown where its integrator was named, those of all of them at the first that has a place.
 TomlValue tables(const std::vector<TomlFields>& list) {
   TomlArray array;
-  for (const TomlFields& fields : list) array.items.push_back({table(fields), fields.at("integrator").where});
-  return {std::move(array), {}};
+  Position first;
+  for (const TomlFields& fields : list) {
+    array.items.push_back({table(fields), fields.at("integrator").where});
+    if (first.line == 0) first = array.items.back().where;
+  }
+  return {std::move(array), first};
 }
 
 }  // namespace
