@@ -37,7 +37,7 @@ endif()
 if(MODALBENCH_SANITIZE)
   # pointer-overflow: parts of empty matrices, which Eigen 3.4 makes by an offset to null (Block.h) and never reads. Some
   # of the others the address sanitizer and Eigen's assertions report as well; together they would take a third of the
-  # time to compile. The preset `ubsan` has them.
+  # time to compile. The preset `ubsan` has these.
   set(unasked pointer-overflow)
   if(MODALBENCH_SANITIZE MATCHES address)
     string(PREPEND unasked "null,alignment,vptr,object-size,")

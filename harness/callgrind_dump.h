@@ -11,7 +11,7 @@ namespace mb {
 
 struct DumpedCount {
   std::string name;         // "": a dump that nobody asked for
-  double instructions = 0;  // a whole number in [0, 2^64), rounded from 2^53 on
+  double instructions = 0;  // a whole number in [0, 2^64], rounded from 2^53 on
   std::string problem;      // empty: the count was read, if somebody asked for it
 };
 // Of a dump that is cut off anywhere: the count of the whole one, or none.

@@ -66,7 +66,7 @@ std::vector<Figure> maps_over(const Finding& finding, const char* y_name, const 
     if (has(finding, {"opening limit"})) layers.push_back(boundary("opening limit", {2, 2}, y_name, y));
     Json map = specification(integrator + ": " + title, data_of(finding, integrator), Json::array(), std::move(layers));
     map["title"] = integrator + ": ";
-    all.push_back({finding.name + "-" + integrator, std::move(map)});
+    all.push_back({file_part(finding.name) + "-" + file_part(integrator), std::move(map)});
   }
   return all;
 }

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "harness/analysis/analyses.h"
+#include "harness/analysis/dropped_coupling.h"
 #include "harness/analysis/modal_body.h"
 #include "harness/analysis/step_damping.h"
 #include "harness/analysis/told.h"
@@ -41,17 +42,6 @@ double by_decay(const System& reduced, Index i, double omega, double expected) {
   const double left = exact(alone, period)->run(VectorXd::Constant(1, period)).u(i, 0);
   const double decrement = -std::log(left);
   return left > 0 ? decrement / std::hypot(2 * pi, decrement) : nan;
-}
-
-// Largest |C_ij| / sqrt(C_ii C_jj), j != i, of Phi^T C Phi: 0 where damping leaves the modes uncoupled, as far as
-// rounding of the products, a part of C's largest entry, lets it be known.
-double coupling(const MatrixXd& C, Index i) {
-  const double rounding = 1e-13 * C.cwiseAbs().maxCoeff();
-  double largest = 0;
-  for (Index j = 0; j < C.cols(); ++j)
-    if (const double scale = std::sqrt(C(i, i) * C(j, j)); j != i && std::abs(C(i, j)) > rounding && scale > 0)
-      largest = std::max(largest, std::abs(C(i, j)) / scale);
-  return largest;
 }
 
 // What [[study.stepping]] steps with, where a method of it keeps modes, and the most that one keeps.
@@ -100,9 +90,8 @@ Finding ratios_table() {
       "by the damping operator of the full system; reduced: the same of the reduced one. By decay: logarithmic "
       "decrement over one period of the mode let go from rest, in closed form: these must agree, and show that "
       "reduction changes no ratio. What steps make of it stands in table damping-of-steps. Coupling: largest "
-      "|C_ij|/sqrt(C_ii C_jj) with the other modes of the table, 0 where they stay uncoupled to 1e-13 of C's largest. "
-      "Bars: the distance to "
-      "the same on another mesh of the case.",
+      "|C_ij|/sqrt(C_ii C_jj) with the other modes of the table, 0 where they stay uncoupled to 1e-13 of C's largest "
+      "entry. Bars: the distance to the same on another mesh of the case.",
       {{"mode", ""},
        {"frequency", "Hz"},
        {"zeta asked", "-"},
@@ -141,11 +130,12 @@ std::vector<Finding> on_mesh(const AnalysisContext& context, const Resolution& m
   MatrixXd C(n, n);
   for (Index i = 0; i < n; ++i)
     C.row(i) = body.modes.Phi.rightCols(n).transpose() * apply_damping(body.system, body.modes.Phi.col(n_rigid + i));
+  const VectorXd coupling = couplings(C);
   Finding found = ratios_table();
   for (Index i = 0; i < n; ++i) {
     const double omega = body.modes.omega(n_rigid + i);
     found.rows.push_back({count(i + 1), omega / (2 * pi), of_scene(i), of_full(i), of_reduced(i),
-                          by_decay(reduced, n_rigid + i, omega, of_reduced(i)), coupling(C, i)});
+                          by_decay(reduced, n_rigid + i, omega, of_reduced(i)), coupling(i)});
   }
   const Steps steps = steps_of_modes(context);
   if (steps.all.empty()) return {found};

@@ -25,14 +25,18 @@ MatrixXd damping_matrix(const System& reduced) {
   return C;
 }
 
-double largest_coupling(const MatrixXd& C) {
-  double largest = 0;
+VectorXd couplings(const MatrixXd& C) {
+  VectorXd largest = VectorXd::Zero(C.rows());
+  if (C.size() == 0) return largest;
+  const double rounding = 1e-13 * C.cwiseAbs().maxCoeff();
   for (Index i = 0; i < C.rows(); ++i)
-    for (Index j = 0; j < i; ++j)
-      if (const double scale = std::sqrt(C(i, i) * C(j, j)); scale > 0)
-        largest = std::max(largest, std::abs(C(i, j)) / scale);
+    for (Index j = 0; j < C.rows(); ++j)
+      if (const double scale = std::sqrt(C(i, i) * C(j, j)); j != i && std::abs(C(i, j)) > rounding && scale > 0)
+        largest(i) = std::max(largest(i), std::abs(C(i, j)) / scale);
   return largest;
 }
+
+double largest_coupling(const MatrixXd& C) { return C.size() > 0 ? couplings(C).maxCoeff() : 0; }
 
 DroppedCoupling dropped_coupling(const System& reduced, const MatrixXd& damping, const Integrator& closed_form,
                                  const Integrator& steps, const VectorXd& times, double duration,

@@ -9,8 +9,11 @@
 
 namespace mb {
 
-MatrixXd damping_matrix(const System& reduced);    // [1/s] C, column by column
-double largest_coupling(const MatrixXd& damping);  // [-] largest |C_ij| / sqrt(C_ii C_jj), i != j
+MatrixXd damping_matrix(const System& reduced);  // [1/s] C, column by column
+// [-] of every mode i the largest |C_ij| / sqrt(C_ii C_jj), i != j. Entries below 1e-13 of the largest one count as
+// none: so much rounding of modes and products leaves of it in others.
+VectorXd couplings(const MatrixXd& damping);
+double largest_coupling(const MatrixXd& damping);  // [-] of all modes
 
 struct DroppedCoupling {
   double error;                      // [-] of dropping

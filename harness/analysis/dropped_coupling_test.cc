@@ -72,6 +72,16 @@ TEST(DroppedCoupling, OfModesFarApartGrowsWithTheDamper) {
   EXPECT_NEAR(twice / weak, 2, 0.05);
 }
 
+// Roundings of a large entry are no coupling of modes that next to nothing damps.
+TEST(DroppedCoupling, OfRoundingIsNone) {
+  MatrixXd C = VectorXd{{1e10, 1e-6, 4}}.asDiagonal();
+  C(0, 1) = C(1, 0) = 5e-4;
+  EXPECT_EQ(largest_coupling(C), 0);
+  C(0, 2) = C(2, 0) = 2e4;
+  EXPECT_EQ(couplings(C), (VectorXd{{0.1, 0, 0.1}}));
+  EXPECT_EQ(largest_coupling(MatrixXd(0, 0)), 0);
+}
+
 TEST(DroppedCoupling, RefusesBadInput) {
   System still = two_masses(VectorXd{{7, 11}}, {1, 0}, 0.5);
   still.u0.setZero();

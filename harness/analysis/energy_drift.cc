@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/analysis/step_limit.h"
+#include "harness/metrics/gci.h"
 
 namespace mb {
 
@@ -31,10 +32,6 @@ VectorXd window_times(const std::vector<double>& ends, double dt) {
   return t;
 }
 
-// [-] Grid convergence index (Roache 1998) of two windows, one half of the other: what Hann's lets through of a swing
-// falls with the third power of their length (Harris 1978, Proc. IEEE 66, 18 dB an octave), a factor of 3 for safety.
-constexpr double window_index = 3. / (2 * 2 * 2 - 1);
-
 // Hann's: of a swing, which all but vanishes in the mean, the ends of the window leave next to nothing.
 VectorXd window_weights(Index n) {
   VectorXd w(n);
@@ -43,9 +40,9 @@ VectorXd window_weights(Index n) {
   return w / w.sum();
 }
 
-// E: energies of every window, one a column. From the first window on, by the last n steps of each.
-VectorXd drifts(const MatrixXd& E, Index n) {
-  const VectorXd mean = E.bottomRows(n).transpose() * window_weights(n);
+// E: energies of every window, one a column. From the first window on, by n steps of each from the step `first` on.
+VectorXd drifts(const MatrixXd& E, Index first, Index n) {
+  const VectorXd mean = E.middleRows(first, n).transpose() * window_weights(n);
   return mean.tail(mean.size() - 1).array() / mean(0) - 1;
 }
 
@@ -66,6 +63,18 @@ VectorXd energy(const System& system, const States& states) {
          static_cast<double>(system.M.rows() - system.R.cols());
 }
 
+// What Hann's lets through of a swing falls with the third power of the window's length (Harris 1978, Proc. IEEE 66:
+// 18 dB an octave). Of two halves, whose phases differ, the farther: one alone may agree by chance.
+double bar(const MatrixXd& E, double drift) {
+  constexpr Index half = drift_window / 2;
+  double widest = 0;
+  for (const Index first : {Index{0}, half}) {
+    const VectorXd by_half = drifts(E, first, half);
+    widest = std::fmax(widest, gci_of_two(1 + drift, 1 + by_half(by_half.size() - 1), 2, 3).value_or(0));
+  }
+  return widest * std::abs(1 + drift);
+}
+
 }  // namespace
 
 EnergyDrift energy_drift(const Integrator& integrator, const System& system, double dt, Index n_steps) {
@@ -83,11 +92,11 @@ EnergyDrift energy_drift(const Integrator& integrator, const System& system, dou
   const VectorXd E = energy(alone, states);
   const auto n_windows = static_cast<Index>(at.size());
   const MatrixXd of_windows = E.reshaped(drift_window, n_windows);
-  const VectorXd drift = drifts(of_windows, drift_window), by_half = drifts(of_windows, drift_window / 2);
+  const VectorXd drift = drifts(of_windows, 0, drift_window);
   const VectorXd apart = Eigen::Map<const VectorXd>(at.data() + 1, n_windows - 1).array() - at[0];
   const Index last = drift.size() - 1;
-  return {states.status, (E.head(drift_window).array() - 1).abs().maxCoeff(), drift(last),
-          window_index * std::abs(drift(last) - by_half(last)), power_law(apart, drift.cwiseAbs())};
+  return {states.status, (E.head(drift_window).array() - 1).abs().maxCoeff(), drift(last), bar(of_windows, drift(last)),
+          power_law(apart, drift.cwiseAbs())};
 }
 
 }  // namespace mb

@@ -63,6 +63,19 @@ TEST(EnergyDrift, OfSchemesThatConserveIsRounding) {
   }
 }
 
+// What swings without a drift is seen as one by what its windows let through: less than their bar.
+TEST(EnergyDrift, OfASwingLiesWithinItsBar) {
+  const Catalogue catalogue = default_catalogue();
+  for (int i = 0; i < 20; ++i) {
+    const VectorXd swinging = VectorXd{{35, 60, 110, 200}} * (1 + 0.002 * i);
+    const EnergyDrift found =
+        energy_drift(catalogue.integrator("symplectic-euler"), test::oscillators(swinging, {}), dt, 10'000);
+    EXPECT_GT(found.swing, 0.05);
+    EXPECT_LT(std::abs(found.drift), found.bar) << i;
+    EXPECT_LT(found.bar, 1e-4) << i;
+  }
+}
+
 // Energy grows by 1 + omega^2 dt^2 a step.
 TEST(EnergyDrift, OfExplicitEulerIsThatOfItsFormula) {
   const double w = 1e-3 / dt;

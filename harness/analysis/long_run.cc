@@ -15,22 +15,21 @@ constexpr double step_times_omega = 2 * pi / 20;  // [-] of the fastest mode kep
 constexpr int fewest = 2, most = 8;               // modes kept
 
 Finding long_run_table() {
-  return table(
-      "long-run", "long-run", "Energy over a million steps",
-      "Free vibration of the modes kept, all alike in energy, without damping, at a twentieth of the shortest "
-      "period a step. Swing: the largest deviation of energy within the first 1000 steps; drift: of its mean "
-      "over 1000 steps, weighted after Hann, at the end from that at the start, positive where energy grows; "
-      "exponent: of the drift over the number of steps from the first 1000 on. Bar: how far the drift is another "
-      "by windows of 500 steps.",
-      {{"integrator", ""},
-       {"modes r", ""},
-       {"dt", "s"},
-       {"steps", ""},
-       {"status", ""},
-       {"swing", "-"},
-       {"drift", "-"},
-       {"exponent", "-"},
-       {"standard error", "-"}});
+  return table("long-run", "long-run", "Energy over a million steps",
+               "Free vibration of the modes kept, all alike in energy, without damping, at a twentieth of the shortest "
+               "period a step. Swing: the largest deviation of energy within the first 1000 steps; drift: of its mean "
+               "over 1000 steps, weighted after Hann, at the end from that at the start, positive where energy grows; "
+               "exponent: of the drift over the number of steps from the first 1000 on. Bar: grid convergence index of "
+               "the drift, by windows of 500 steps, the farther of two.",
+               {{"integrator", ""},
+                {"modes r", ""},
+                {"dt", "s"},
+                {"steps", ""},
+                {"status", ""},
+                {"swing", "-"},
+                {"drift", "-"},
+                {"exponent", "-"},
+                {"standard error", "-"}});
 }
 
 }  // namespace

@@ -21,10 +21,11 @@ TruthSet neighbour_of(const TruthSet& truth) {
 
 double number(const FindingCell& cell) { return cell.index() == 1 ? std::get<double>(cell) : nan; }
 
-// Of rows that tell of the same: their texts and counts before the first number that is measured. A verdict behind it
-// follows from numbers, and turns where they are not known well enough.
+// Of rows that tell of the same: the cell that names a row, text or count, and texts before the first number that is
+// measured. A verdict behind it follows from numbers, and turns where they are not known well enough.
 bool tell_of_the_same(const std::vector<FindingColumn>& columns, const std::vector<FindingCell>& a,
                       const std::vector<FindingCell>& b) {
+  if (!columns.empty() && columns[0].unit.empty() && a[0] != b[0]) return false;
   for (std::size_t j = 0; j < columns.size() && columns[j].unit.empty(); ++j)
     if (a[j].index() != b[j].index() || (a[j].index() == 0 && a[j] != b[j])) return false;
   return true;

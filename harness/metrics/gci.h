@@ -9,7 +9,8 @@
 //
 //   GCI_fine   = 3 |f2 - f1| / (|f1| (r^p - 1))
 //
-// The analysis of natural frequencies bounds its finest mesh so, without the published ones. Roache 1998, Verification
+// The analysis of natural frequencies bounds its finest mesh so, without the published ones, and drifts of energy their
+// windows. Roache 1998, Verification
 // and Validation in Computational Science and Engineering, ch. 5; NASA Glenn, Examining Spatial (Grid) Convergence, for
 // a worked example.
 #pragma once

@@ -152,6 +152,9 @@ class Change {
   }
 
   void change_rivals() {
+    if (const TomlValue* const cells = asked_.find("rival.cells"))
+      for (TomlFields& rival : all_.rivals)
+        if (rival.contains("second_cells")) place(rival.at("second_cells"), cells->where);  // one a mesh of these
     if (const auto* integrators = words("rival.integrators")) {
       std::vector<TomlFields> asked_for;
       for (const TomlValue& name : is_none(*integrators) ? std::vector<TomlValue>() : integrators->items) {

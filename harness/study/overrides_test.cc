@@ -127,6 +127,9 @@ TEST(OverridesTest, TheLimitsOfADashpotHold) {
 TEST(OverridesTest, WhatTheCaseStatesIsRefusedAtTheWordsThatMakeItWrong) {
   EXPECT_THAT(complaint_of("ball-on-two-by-four.toml", {"study.analyses=none", "rival.cells=2"}),
               HasSubstr("ball-on-two-by-four --set:2:13: error: 'second_cells' has 2 entries, 'cells' 1: one a mesh"));
+  EXPECT_THAT(complaint_of("ball-on-two-by-four.toml",
+                           {"study.analyses=none", "rival.integrators=newmark", "rival.degrees=2", "rival.cells=2"}),
+              HasSubstr("ball-on-two-by-four --set:4:13: error: 'second_cells' has 2 entries, 'cells' 1: one a mesh"));
   std::string steps = "rival.time_steps=0.01";
   for (int i = 1; i < 64; ++i) steps += ",0.01";
   EXPECT_THAT(complaint({"modal.modes=4", steps, "rival.degrees=1,2,3,4", "rival.cells=1x1,1x2,1x3,1x4"}),

@@ -23,8 +23,9 @@
 namespace mb::testing {
 
 inline const Vector3d manufactured_size{0.3, 0.2, 0.4};  // [m] of f's waves
-inline constexpr double manufactured_omega = 87;         // [rad/s] below the first mode, 300 1/s
-inline constexpr double manufactured_end = 0.113;        // [s] a period and a half
+inline constexpr double manufactured_omega =
+    87;  // [rad/s] below the first mode: 300 1/s of the box, 113 1/s of a cylinder of its length
+inline constexpr double manufactured_end = 0.113;  // [s] a period and a half
 
 class ManufacturedMotion {
  public:
@@ -123,7 +124,8 @@ class ManufacturedMotion {
     // Starts in the mesh's own answer, f's projection by energy, with mass where none holds the body: no mode rings.
     const double shift = system_.R.cols() > 0 ? omega * omega : 0;
     system_.u0 = VectorXd::Zero(inertia.size());
-    system_.v0 = omega * Cholesky(SparseMatrix(system_.K + shift * system_.M)).solve(VectorXd(elastic + shift * inertia));
+    system_.v0 =
+        omega * Cholesky(SparseMatrix(system_.K + shift * system_.M)).solve(VectorXd(elastic + shift * inertia));
   }
 
   void for_each_point(const std::function<void(const Point&)>& visit) const {

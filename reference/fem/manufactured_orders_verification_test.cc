@@ -108,8 +108,9 @@ TEST(ManufacturedVerification, KeepsItsOrdersOnDistortedAndBiasedCells) {
       worst);
 }
 
-// Curved cells, mapped by polynomials of the elements' own degree. The blocks of a section split by halves alone, and
-// where they are not split at all, waves of the field are not resolved: between meshes n and 2n.
+// Cells are mapped by polynomials of the elements' own degree: curved by degree 2, on chords by degree 1. The blocks of
+// a section split by halves alone, and where they are not split at all, waves of the field are not resolved: between
+// meshes n and 2n.
 TEST(ManufacturedVerification, KeepsItsOrdersOnCurvedCells) {
   const Cylinder round{0.11, 0.4};  // [m]
   const ManufacturedMotion coarsest({2, {2, 4}}, round);
@@ -120,8 +121,9 @@ TEST(ManufacturedVerification, KeepsItsOrdersOnCurvedCells) {
     worst = VectorXd{{worst, largest_distance(fitted({p, {}}, counts, extrapolated, round), p)}}
                 .maxCoeff<Eigen::PropagateNaN>();
   testing::expect_verified(
-      {.quantity = "distance of the orders in the mesh from p + 1 of displacement and p of strain, absolute: elements "
-                   "of degree p = 1, 2 on curved cells, 2 meshes each, a free linear cylinder in motion, L2 norm",
+      {.quantity =
+           "distance of the orders in the mesh from p + 1 of displacement and p of strain, absolute: elements "
+           "of degree p = 1 on chords and 2 on curved cells, 2 meshes each, a free linear cylinder in motion, L2 norm",
        .reference = "manufactured solution",
        .source = "a field of sines times a sine of time, its tractions on the surface by parts",
        .uncertainty = "1e-6 of the displacement, by average acceleration extrapolated from 200 and 400 steps",
