@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace mb {
@@ -28,6 +29,7 @@ MatrixXd damping_matrix(const System& reduced) {
 VectorXd couplings(const MatrixXd& C) {
   VectorXd largest = VectorXd::Zero(C.rows());
   if (C.size() == 0) return largest;
+  if (!C.allFinite()) return VectorXd::Constant(C.rows(), std::numeric_limits<double>::quiet_NaN());
   const double rounding = 1e-13 * C.cwiseAbs().maxCoeff();
   for (Index i = 0; i < C.rows(); ++i)
     for (Index j = 0; j < C.rows(); ++j)

@@ -11,7 +11,7 @@ namespace mb {
 
 MatrixXd damping_matrix(const System& reduced);  // [1/s] C, column by column
 // [-] of every mode i the largest |C_ij| / sqrt(C_ii C_jj), i != j. Entries below 1e-13 of the largest one count as
-// none: so much rounding of modes and products leaves of it in others.
+// none: so much rounding of modes and products leaves of it in others. All NaN where an entry is not finite.
 VectorXd couplings(const MatrixXd& damping);
 double largest_coupling(const MatrixXd& damping);  // [-] of all modes
 

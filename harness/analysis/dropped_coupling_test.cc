@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "harness/analysis/oscillators_test.h"
 #include "harness/catalogue.h"
@@ -80,6 +81,8 @@ TEST(DroppedCoupling, OfRoundingIsNone) {
   C(0, 2) = C(2, 0) = 2e4;
   EXPECT_EQ(couplings(C), (VectorXd{{0.1, 0, 0.1}}));
   EXPECT_EQ(largest_coupling(MatrixXd(0, 0)), 0);
+  C(1, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(couplings(C).array().isNaN().all() && std::isnan(largest_coupling(C)));
 }
 
 TEST(DroppedCoupling, RefusesBadInput) {

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -64,13 +66,15 @@ VectorXd energy(const System& system, const States& states) {
 }
 
 // What Hann's lets through of a swing falls with the third power of the window's length (Harris 1978, Proc. IEEE 66:
-// 18 dB an octave). Of two halves, whose phases differ, the farther: one alone may agree by chance.
+// 18 dB an octave). Of two halves, whose phases differ, the farther: one alone may agree by chance. NaN without both.
 double bar(const MatrixXd& E, double drift) {
   constexpr Index half = drift_window / 2;
   double widest = 0;
   for (const Index first : {Index{0}, half}) {
     const VectorXd by_half = drifts(E, first, half);
-    widest = std::fmax(widest, gci_of_two(1 + drift, 1 + by_half(by_half.size() - 1), 2, 3).value_or(0));
+    const std::optional<double> gci = gci_of_two(1 + drift, 1 + by_half(by_half.size() - 1), 2, 3);
+    if (!gci) return std::numeric_limits<double>::quiet_NaN();
+    widest = std::max(widest, *gci);
   }
   return widest * std::abs(1 + drift);
 }

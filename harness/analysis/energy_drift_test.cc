@@ -85,6 +85,24 @@ TEST(EnergyDrift, OfExplicitEulerIsThatOfItsFormula) {
   EXPECT_NEAR(found.law.exponent, 1, 0.01);  // growth is exponential, here by four thousandths
 }
 
+// Of what vanished nothing is left that an index could be relative to.
+class Ending : public Stepper {
+  States run(const VectorXd& times) const override {
+    States states;
+    states.u = MatrixXd::Zero(omega.size(), times.size());
+    states.v = MatrixXd::Zero(omega.size(), times.size());
+    states.v.leftCols(drift_window).setOnes();
+    return states;
+  }
+};
+TEST(EnergyDrift, OfEnergyThatVanishedHasNoBar) {
+  const Integrator ending = made_by(
+      [](const System&, const Settings&, double) -> std::unique_ptr<Stepper> { return std::make_unique<Ending>(); });
+  const EnergyDrift found = energy_drift(ending, test::oscillators(omega, {}), dt, n_steps);
+  EXPECT_EQ(found.drift, -1);
+  EXPECT_TRUE(std::isnan(found.bar));
+}
+
 TEST(EnergyDrift, SaysWhatWentWrong) {
   const EnergyDrift found =
       energy_drift(default_catalogue().integrator("explicit-euler"), test::oscillators(omega, {}), 1, n_steps);
