@@ -1,7 +1,6 @@
-// Sparse factorisations (the door of SuiteSparse's CHOLMOD).
+// Sparse Cholesky factorisation (the door of SuiteSparse's CHOLMOD), supernodal, for symmetric positive definite A:
 //
-//   A = L L^T          supernodal, for symmetric positive definite A: solves
-//   A = L D L^T        simplicial, for symmetric indefinite A: inertia by Sylvester's law
+//   A = L L^T
 #pragma once
 
 #include <memory>
@@ -36,14 +35,5 @@ class Cholesky {
   struct State;
   std::unique_ptr<State> state_;
 };
-
-// Numbers of negative, zero and positive eigenvalues of a symmetric A (the signs of D), and the residual
-// |A x - b|_inf / (|A|_inf |x|_inf) of one solve with the same factor: D is found without pivoting, so an inertia whose
-// residual is large must not be believed. residual = infinity where a pivot vanished.
-struct Inertia {
-  Index negative, zero, positive;
-  double residual;  // [-]
-};
-Inertia inertia(const SparseMatrix& A);
 
 }  // namespace mb

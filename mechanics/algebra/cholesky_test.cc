@@ -6,24 +6,17 @@
 #include <thread>
 
 #include "mechanics/algebra/box_test_system.h"
-#include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/algebra/noise.h"
+#include "mechanics/algebra/sparse_test.h"
 #include "mechanics/algebra/threads.h"
 
 namespace mb {
 namespace {
 
 using testing::box_system;
+using testing::diagonal;
+using testing::shifted;
 using ::testing::HasSubstr;
-
-SparseMatrix shifted(const System& system, double sigma) { return system.K - sigma * system.M; }
-
-SparseMatrix diagonal(const VectorXd& d) {
-  SparseMatrix A(d.size(), d.size());
-  for (Index i = 0; i < d.size(); ++i) A.insert(i, i) = d(i);
-  A.makeCompressed();
-  return A;
-}
 
 template <typename Action>
 std::string message_of(Action action) {
@@ -133,28 +126,6 @@ TEST(Cholesky, RefusesBadInput) {
   const Cholesky identity(diagonal(VectorXd::Ones(3)));
   EXPECT_THROW(identity.solve(VectorXd(VectorXd::Ones(4))), std::invalid_argument);
   EXPECT_THROW(identity.solve(MatrixXd(MatrixXd::Ones(4, 2))), std::invalid_argument);
-}
-
-TEST(InertiaOfAMatrix, CountsEigenvaluesBelowAShift) {
-  const System body = box_system({.cells = {3, 3, 2}, .size = {1, 0.9, 0.7}}).system;
-  const VectorXd lambda = generalized_eigenvalues(MatrixXd(body.K), MatrixXd(body.M)).value();
-  for (const Index below : {6, 7, 20, 60, 107}) {
-    const Inertia count = inertia(shifted(body, 0.5 * (lambda(below - 1) + lambda(below))));
-    EXPECT_EQ(count.negative, below);
-    EXPECT_EQ(count.positive, lambda.size() - below);
-    EXPECT_EQ(count.zero, 0);
-    EXPECT_LT(count.residual, 1e-10);
-  }
-}
-
-TEST(InertiaOfAMatrix, IsNotBelievedWhereAPivotVanishes) {
-  SparseMatrix A(2, 2);  // eigenvalues -1 and 1, but no L D L^T with diagonal D
-  A.insert(1, 0) = 1;
-  A.insert(0, 1) = 1;
-  A.makeCompressed();
-  EXPECT_GT(inertia(A).residual, 1e-8);
-  EXPECT_GT(inertia(diagonal(Vector3d(1, 0, -2))).residual, 1e-8);
-  EXPECT_THROW(inertia(diagonal(Vector3d(1, INFINITY, 1))), std::invalid_argument);
 }
 
 TEST(Threads, OfTheBlasAreDescribedAndSet) {

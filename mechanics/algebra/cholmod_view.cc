@@ -1,16 +1,11 @@
 #include "mechanics/algebra/cholmod_view.h"
 
-#include <cmath>
-#include <stdexcept>
+#include "mechanics/algebra/factorisable.h"
 
 namespace mb::cholmod {
 
 cholmod_sparse lower_triangle(const SparseMatrix& A) {
-  if (A.rows() == 0 || A.rows() != A.cols())
-    throw std::invalid_argument("a factorisation needs a square matrix of at least one row");
-  if (!A.isCompressed()) throw std::invalid_argument("a factorisation needs a compressed matrix");
-  for (Index k = 0; k < A.nonZeros(); ++k)
-    if (!std::isfinite(A.valuePtr()[k])) throw std::invalid_argument("a matrix to factorise has an entry not finite");
+  require_factorisable(A);
   cholmod_sparse view{};
   view.nrow = view.ncol = static_cast<size_t>(A.cols());
   view.nzmax = static_cast<size_t>(A.nonZeros());

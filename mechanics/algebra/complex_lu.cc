@@ -7,7 +7,8 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
-#include <string>
+
+#include "mechanics/algebra/umfpack_status.h"
 
 namespace mb {
 namespace {
@@ -15,21 +16,8 @@ namespace {
 // Smallest over largest pivot. Below this a solution of working precision keeps fewer than two digits.
 constexpr double singular = 1e-14;
 
-std::string describe(int status) {
-  switch (status) {
-    case UMFPACK_WARNING_singular_matrix:
-      return "the matrix is singular";
-    case UMFPACK_ERROR_out_of_memory:
-      return "out of memory";
-    case UMFPACK_ERROR_invalid_matrix:
-      return "the matrix is not well formed";
-    default:
-      return fmt::format("UMFPACK status {}", status);
-  }
-}
-
 void require_ok(int status) {
-  if (status != UMFPACK_OK) throw std::runtime_error("ComplexLu: " + describe(status));
+  if (status != UMFPACK_OK) throw std::runtime_error("ComplexLu: " + umfpack::describe(status));
 }
 
 void check(const SparseMatrixXcd& A) {

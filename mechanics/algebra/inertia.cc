@@ -1,60 +1,90 @@
-#include <fmt/format.h>
+#include "mechanics/algebra/inertia.h"
 
+#include <fmt/format.h>
+#include <umfpack.h>
+
+#include <array>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 
-#include "mechanics/algebra/cholesky.h"
-#include "mechanics/algebra/cholmod_view.h"
+#include "mechanics/algebra/factorisable.h"
 #include "mechanics/algebra/noise.h"
+#include "mechanics/algebra/umfpack_status.h"
 
 namespace mb {
 namespace {
 
-// Largest row sum of absolute values, of the symmetric matrix whose lower triangle is given.
-double infinity_norm(const SparseMatrix& A) {
-  VectorXd sums = VectorXd::Zero(A.rows());
-  for (Index column = 0; column < A.cols(); ++column)
-    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
-      if (entry.row() < column) continue;
-      sums(entry.row()) += std::abs(entry.value());
-      if (entry.row() > column) sums(column) += std::abs(entry.value());
-    }
-  return sums.maxCoeff();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void require_ok(int status) {  // warnings are told by what they leave: a vanished pivot
+  if (status < 0) throw std::runtime_error("inertia: " + umfpack::describe(status));
 }
 
-double residual_of_one_solve(const SparseMatrix& A, cholmod_factor* factor, cholmod_common* common) {
-  const VectorXd b = uniform_noise(A.rows(), 1);
-  cholmod_dense right = cholmod::columns(b.data(), b.size(), 1);
-  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor, &right, common);
-  if (solution == nullptr) throw std::runtime_error(fmt::format("inertia: {}", cholmod::describe(common->status)));
-  const VectorXd x = Eigen::Map<const VectorXd>(static_cast<const double*>(solution->x), b.size());
-  cholmod_free_dense(&solution, common);
-  const VectorXd residual = A.selfadjointView<Eigen::Lower>() * x - b;
-  const double relative = residual.lpNorm<Eigen::Infinity>() / (infinity_norm(A) * x.lpNorm<Eigen::Infinity>());
-  return std::isfinite(relative) ? relative : std::numeric_limits<double>::infinity();
+std::array<double, UMFPACK_CONTROL> settings() {
+  std::array<double, UMFPACK_CONTROL> control{};
+  umfpack_di_defaults(control.data());
+  control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
+  control[UMFPACK_SYM_PIVOT_TOLERANCE] = control[UMFPACK_PIVOT_TOLERANCE] = 0;  // whatever its size: the diagonal one
+  control[UMFPACK_FIXQ] = 1;                                                    // the columns' order stays the rows'
+  control[UMFPACK_SINGLETONS] = 0;                                              // these, too
+  control[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
+  control[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;  // of meshes: less fill than by minimum degree
+  control[UMFPACK_IRSTEP] = 0;                         // the residual is that of the factor alone
+  return control;
 }
+
+class Factor {
+ public:
+  explicit Factor(const SparseMatrix& lower) : A_(lower.selfadjointView<Eigen::Lower>()) {
+    A_.makeCompressed();
+    const int n = static_cast<int>(A_.rows());
+    void* symbolic = nullptr;
+    require_ok(umfpack_di_symbolic(n, n, A_.outerIndexPtr(), A_.innerIndexPtr(), A_.valuePtr(), &symbolic,
+                                   control_.data(), nullptr));
+    const int status = umfpack_di_numeric(A_.outerIndexPtr(), A_.innerIndexPtr(), A_.valuePtr(), symbolic, &numeric_,
+                                          control_.data(), info_.data());
+    umfpack_di_free_symbolic(&symbolic);
+    require_ok(status);
+  }
+  ~Factor() { umfpack_di_free_numeric(&numeric_); }
+  Factor(const Factor&) = delete;
+  Factor& operator=(const Factor&) = delete;
+
+  bool is_symmetric() const { return info_[UMFPACK_NOFF_DIAG] == 0; }  // no pivot off the diagonal
+
+  VectorXd pivots() const {
+    VectorXd D(A_.rows());
+    int reciprocal = 0;
+    require_ok(umfpack_di_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, D.data(),
+                                      &reciprocal, nullptr, numeric_));
+    return D;
+  }
+
+  double residual_of_one_solve() const {
+    const VectorXd b = uniform_noise(A_.rows(), 1);
+    VectorXd x(b.size());
+    require_ok(umfpack_di_solve(UMFPACK_A, A_.outerIndexPtr(), A_.innerIndexPtr(), A_.valuePtr(), x.data(), b.data(),
+                                numeric_, control_.data(), nullptr));
+    const VectorXd sums = A_.cwiseAbs() * VectorXd::Ones(b.size());
+    const double relative = (A_ * x - b).lpNorm<Eigen::Infinity>() / (sums.maxCoeff() * x.lpNorm<Eigen::Infinity>());
+    return std::isfinite(relative) ? relative : infinity;
+  }
+
+ private:
+  SparseMatrix A_;  // both triangles
+  std::array<double, UMFPACK_CONTROL> control_ = settings();
+  std::array<double, UMFPACK_INFO> info_{};
+  void* numeric_ = nullptr;
+};
 
 }  // namespace
 
 Inertia inertia(const SparseMatrix& A) {
-  cholmod_sparse view = cholmod::lower_triangle(A);
-  cholmod::Common common;
-  common->supernodal = CHOLMOD_SIMPLICIAL;  // the supernodal factor is L L^T, which no indefinite matrix has
-  common->final_ll = 0;
-  const auto free_factor = [&](cholmod_factor* factor) { cholmod_free_factor(&factor, &common); };
-  const std::unique_ptr<cholmod_factor, decltype(free_factor)> factor(cholmod_analyze(&view, &common), free_factor);
-  if (factor) cholmod_factorize(&view, factor.get(), &common);
-  if (common->status < 0) throw std::runtime_error(fmt::format("inertia: {}", cholmod::describe(common->status)));
-
-  Inertia result{0, 0, 0, std::numeric_limits<double>::infinity()};
-  const double* entries = static_cast<const double*>(factor->x);
-  const int* starts = static_cast<const int*>(factor->p);
-  for (size_t column = 0; column < factor->n; ++column) {
-    const double d = column < factor->minor ? entries[starts[column]] : 0;  // D leads every column of a simplicial L
-    ++(d < 0 ? result.negative : d > 0 ? result.positive : result.zero);
-  }
-  if (factor->minor == factor->n && result.zero == 0) result.residual = residual_of_one_solve(A, factor.get(), &common);
+  require_factorisable(A);
+  const Factor factor(A);
+  Inertia result{0, 0, 0, infinity};
+  for (const double d : factor.pivots()) ++(d < 0 ? result.negative : d > 0 ? result.positive : result.zero);
+  if (factor.is_symmetric() && result.zero == 0) result.residual = factor.residual_of_one_solve();
   return result;
 }
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "mechanics/algebra/cholesky.h"
+#include "mechanics/algebra/inertia.h"
 
 namespace mb {
 namespace {
