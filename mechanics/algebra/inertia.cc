@@ -1,9 +1,9 @@
 #include "mechanics/algebra/inertia.h"
 
-#include <fmt/format.h>
 #include <umfpack.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 

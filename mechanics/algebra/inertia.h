@@ -12,7 +12,7 @@ namespace mb {
 
 // Numbers of negative, zero and positive eigenvalues, and the residual |A x - b|_inf / (|A|_inf |x|_inf) of one solve
 // with the same factor: pivots are not chosen by size, so an inertia whose residual is large must not be believed.
-// residual = infinity where a pivot vanished.
+// residual = infinity where a pivot vanished or lay off the diagonal, whose signs say nothing then.
 struct Inertia {
   Index negative, zero, positive;
   double residual;  // [-]
