@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+#include <map>
+#include <tuple>
+#include <utility>
 
 #include "mechanics/system/one_step.h"
 #include "mechanics/system/oscillator.h"
@@ -45,6 +47,21 @@ MatrixXd kick_drift_kick(const PressedModes& p, double h) {
     drift(n + i, i) = r.C_dot / s[i], drift(n + i, n + i) = r.S_dot;
   }
   return kick * drift * kick;
+}
+
+// Of modes alike in lambda and c contact presses one combination, the others keep to themselves: of rigid modes, which
+// are up to twelve, one is left.
+PressedModes combined(const PressedModes& p) {
+  std::map<std::pair<double, double>, double> squares;
+  for (Index i = 0; i < p.g.size(); ++i) squares[{p.lambda[i], p.c[i]}] += p.g[i] * p.g[i];
+  const auto n = static_cast<Index>(squares.size());
+  PressedModes one{VectorXd(n), VectorXd(n), VectorXd(n), p.kappa, p.yields};
+  Index i = 0;
+  for (const auto& [of, square] : squares) {
+    std::tie(one.lambda[i], one.c[i]) = of;
+    one.g[i++] = std::sqrt(square);
+  }
+  return one;
 }
 
 // Ascending, from first to last.
@@ -99,13 +116,12 @@ std::vector<double> resonances(const PressedModes& p, double most) {
 
 double pressed_limit(const PressedModes& pressed, const std::string& scheme, double most) {
   if (scheme == "explicit-euler") return stable_step(coupled(pressed, unbounded), scheme);
-  if (scheme != "exact" && scheme != "newmark")
-    return least_fixed_point([&](double h) { return stable_step(coupled(pressed, h), scheme); });
-  const auto stable = [&](double h) { return pressed_radius(pressed, scheme, h) <= grows; };
-  const bool kicks = scheme == "exact";
+  if (scheme != "exact") return least_fixed_point([&](double h) { return stable_step(coupled(pressed, h), scheme); });
+  const PressedModes together = combined(pressed);
+  const auto stable = [&](double h) { return spectral_radius(kick_drift_kick(together, h)) <= grows; };
   const double first = 1e-4 * most;
-  std::vector<double> tried = apart_by(kicks ? scanned : 1.15, first, most);
-  if (kicks) std::ranges::copy(resonances(pressed, most), std::back_inserter(tried));
+  std::vector<double> tried = apart_by(scanned, first, most);
+  std::ranges::copy(resonances(pressed, most), std::back_inserter(tried));
   std::ranges::sort(tried);
   double low = first;
   for (double high : tried) {

@@ -45,8 +45,8 @@ double pressed_radius(const PressedModes& pressed, const std::string& scheme, do
 
 // The least step [s] at which that is above 1 by more than 1e-6, to a thousandth of it; infinity: none up to `most` [s]
 // from 1e-4 of it on. Kicks are tried at steps 3 % apart and at resonances(), so that a window is missed only where it
-// is narrower than that and first order in the layer puts it elsewhere; average acceleration, which knows no windows,
-// 15 % apart. Of the explicit schemes it is stable_step() of one_step.h: 0 where no step is stable.
+// is narrower than that and first order in the layer puts it elsewhere. Of the other schemes it is stable_step() of
+// one_step.h: 0 where no step is stable, infinity of average acceleration.
 double pressed_limit(const PressedModes& pressed, const std::string& scheme, double most);
 
 // The most that is gained where the layer opens, of m v^2/2, by each scheme but explicit Euler, and the step [s] at

@@ -70,6 +70,21 @@ TEST(ContactStability, WithoutALayerItIsThatOfTheModes) {
   EXPECT_TRUE(std::isinf(pressed_limit(free, "newmark", 10)));
 }
 
+// Twins and rigid modes are stepped as one in the search for the limit: each by itself, they are as unstable.
+TEST(ContactStability, ModesAlikeArePressedAsOne) {
+  PressedModes pressed{VectorXd{{0, 0, 900, 900, 4e4}}, VectorXd::Zero(5), VectorXd{{0.5, -0.3, 1, 2, 1.5}}, 300};
+  for (const double c : {0.0, 0.01}) {
+    pressed.c = VectorXd{{0, 0, c, c, 3 * c}};
+    const double limit = pressed_limit(pressed, "exact", 1);
+    ASSERT_TRUE(std::isfinite(limit));
+    EXPECT_GT(pressed_radius(pressed, "exact", limit), 1 + 1e-6);
+    EXPECT_LT(pressed_radius(pressed, "exact", limit / 1.0011), 1 + 2e-6);
+    PressedModes one{VectorXd{{0, 900, 4e4}}, VectorXd{{0, c, 3 * c}}, VectorXd{{std::sqrt(0.34), std::sqrt(5.0), 1.5}},
+                     300};
+    EXPECT_NEAR(pressed_limit(one, "exact", 1), limit, 1e-9 * limit);
+  }
+}
+
 // h -> 0: kicks and drift agree with the stiffened oscillators themselves, which are stable.
 TEST(ContactStability, SmallStepsAreStableWhateverTheModes) {
   const PressedModes pressed{VectorXd{{0, 0, 1e4, 9e4}}, VectorXd{{0, 0, 3, 20}}, VectorXd{{1, -0.4, 2, 1.5}}, 1e6};

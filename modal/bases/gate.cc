@@ -9,6 +9,9 @@
 namespace mb {
 namespace {
 
+// Each entry of a matrix then meets a row of modes, not one number after another.
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();  // [-] of an eigenvalue, over lambda_max
 
 double lambda_of(const Modes& modes, Index i) { return modes.omega(i) * modes.omega(i); }
@@ -59,7 +62,8 @@ void check_residuals(const System& system, const Modes& found) {
 
 void check_orthonormality(const System& system, const Modes& found) {
   constexpr double bound = 1e-10;
-  const MatrixXd gram = found.Phi.transpose() * (system.M * found.Phi);
+  const RowMajor M_Phi = system.M * RowMajor(found.Phi);
+  const MatrixXd gram = found.Phi.transpose() * M_Phi;
   Index i = 0, j = 0;
   const double worst = (gram - MatrixXd::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff(&i, &j);
   if (!(worst <= bound))
@@ -99,10 +103,10 @@ void check_count(const System& system, const Modes& found, Index n_keep) {
 }  // namespace
 
 VectorXd residuals(const System& system, const MatrixXd& Phi, const VectorXd& omega, Index n_rigid) {
-  const MatrixXd M_Phi = system.M * Phi;
+  const RowMajor rows = Phi, M_Phi = system.M * rows;
   const VectorXd lambda = omega.array().square();
-  MatrixXd difference = system.K * Phi;
-  difference.noalias() -= M_Phi * lambda.asDiagonal();
+  RowMajor difference = system.K * rows;
+  difference -= M_Phi * lambda.asDiagonal();
   VectorXd residual(lambda.size());
   for (Index i = 0; i < residual.size(); ++i) {
     const Index elastic = std::max(i, n_rigid);  // rigid: lambda_1
