@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <variant>
 #include <vector>
 
+#include "mechanics/algebra/noise.h"
 #include "mechanics/system/low_rank_damping.h"
 #include "mechanics/system/symmetric_product.h"
 
@@ -19,6 +21,7 @@ using Eigen::MatrixXcd;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 constexpr Complex i(0, 1);
+constexpr double worst_condition = 0.01 / std::numeric_limits<double>::epsilon();  // [-] beyond it two digits are lost
 
 // Coefficients of (1 + i omega beta) K + (-omega^2 + i omega alpha) M.
 struct Coefficients {
@@ -35,19 +38,21 @@ class Diagonal {
       : damping_(system.damping), K_(system.K.diagonal()), M_(system.M.diagonal()), low_rank_(std::move(low_rank)) {
     if (low_rank_.size() == 0) low_rank_ = VectorXd::Zero(K_.size());
   }
-  MatrixXcd solve(double omega, const MatrixXcd& b) {
+  void factorise(double omega) {
     constexpr double singular = 1e-14;  // of the larger term: their difference keeps fewer than two digits
     const auto [c_K, c_M] = coefficients(damping_, omega);
-    const VectorXcd Z = c_K * K_ + c_M * M_ + i * omega * low_rank_;
-    for (Index j = 0; j < Z.size(); ++j)
-      if (!(std::abs(Z[j]) > singular * std::max(K_[j], omega * omega * M_[j])))
+    Z_ = c_K * K_ + c_M * M_ + i * omega * low_rank_;
+    for (Index j = 0; j < Z_.size(); ++j)
+      if (!(std::abs(Z_[j]) > singular * std::max(K_[j], omega * omega * M_[j])))
         throw std::runtime_error(fmt::format("undamped resonance of unknown {}", j));
-    return Z.cwiseInverse().asDiagonal() * b;
   }
+  MatrixXcd solve(const MatrixXcd& b) const { return Z_.cwiseInverse().asDiagonal() * b; }
+  double norm() const { return 0; }  // each entry has been looked at by itself
 
  private:
   Rayleigh damping_;
   VectorXd K_, M_, low_rank_;
+  VectorXcd Z_;
 };
 
 // Damping of low rank, i omega W diag(d) W^T, as a border of a sparse matrix, which Woodbury's formula would eliminate:
@@ -80,13 +85,15 @@ class Bordered {
     Z_ = all.cast<Complex>();
   }
 
-  MatrixXcd solve(double omega, const MatrixXcd& b) {
+  void factorise(double omega) {
     const auto [c_K, c_M] = coefficients(damping_, omega);
     Z_.coeffs() = c_K * K_.coeffs() + c_M * M_.coeffs() + std::sqrt(omega) * border_.coeffs() + i * corner_.coeffs();
     if (lu_)
       lu_->refactor(Z_);
     else
       lu_.emplace(Z_);
+  }
+  MatrixXcd solve(const MatrixXcd& b) const {
     MatrixXcd x(n_, b.cols());
     VectorXcd right = VectorXcd::Zero(n_all_);
     for (Index column = 0; column < b.cols(); ++column) {
@@ -94,6 +101,11 @@ class Bordered {
       x.col(column) = lu_->solve(right).head(n_);
     }
     return x;
+  }
+  double norm() const {  // [N/m] the largest column's sum, border included
+    double largest = 0;
+    for (Index j = 0; j < n_; ++j) largest = std::max(largest, Z_.col(j).cwiseAbs().sum());
+    return largest;
   }
 
  private:
@@ -134,7 +146,29 @@ void check(const System& system) {
 
 struct FrequencyResponse::Stiffness {
   std::variant<Diagonal, Bordered> of;
+
+  void factorise(double omega) {
+    std::visit([&](auto& matrix) { matrix.factorise(omega); }, of);
+  }
+  MatrixXcd solve(const MatrixXcd& b) const {
+    return std::visit([&](const auto& matrix) { return matrix.solve(b); }, of);
+  }
+  double norm() const {
+    return std::visit([](const auto& matrix) { return matrix.norm(); }, of);
+  }
 };
+
+// |Z| |Z^-1| in the complement of rigid motion, by two steps of the power method from noise. Pivots would tell less: at
+// the resonance of a mesh the smallest is about its number of unknowns times as large as the eigenvalue that vanishes.
+double FrequencyResponse::condition() const {
+  VectorXcd x = uniform_noise(system_.K.rows(), 1).cast<Complex>();
+  for (int step = 0; step < 2; ++step) {
+    const VectorXcd force = x - MR_ * (system_.R.transpose() * x);
+    x = stiffness_->solve(force.normalized());
+    x -= system_.R * (MR_.transpose() * x);
+  }
+  return stiffness_->norm() * x.norm();
+}
 
 FrequencyResponse::FrequencyResponse(const System& system) : system_(system) {
   check(system);
@@ -155,7 +189,10 @@ MatrixXcd FrequencyResponse::operator()(double omega) {
     throw std::invalid_argument("frequency_response: frequencies must be positive");
   MatrixXcd u;
   try {
-    u = std::visit([&](auto& stiffness) { return stiffness.solve(omega, elastic_); }, stiffness_->of);
+    stiffness_->factorise(omega);
+    const double cond = condition();
+    if (!(cond <= worst_condition)) throw std::runtime_error(fmt::format("undamped resonance, condition {:.1e}", cond));
+    u = stiffness_->solve(elastic_);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("frequency_response at {:.6g} rad/s: {}", omega, error.what()));
   }

@@ -25,11 +25,12 @@ class FrequencyResponse {
   // u [m] for unit factors of every load: n x number of loads; omega [rad/s] > 0. Diagonal systems (reduced in
   // eigenmodes) are solved entry by entry. Damping of low rank enters by projection (rigid modes) or as a border of the
   // sparse matrix (ratios of modes, with R^T W = 0), never as dense blocks. Throws std::runtime_error at an undamped
-  // resonance, std::invalid_argument for a frequency out of range.
+  // resonance, where fewer than two digits would be left, std::invalid_argument for a frequency out of range.
   Eigen::MatrixXcd operator()(double omega);
 
  private:
   struct Stiffness;
+  double condition() const;
   const System& system_;
   MatrixXd MR_, rigid_;       // n x rigid modes; R R^T F
   Eigen::MatrixXcd elastic_;  // F - M R R^T F
