@@ -209,7 +209,11 @@ TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRounding) {
     EXPECT_EQ(one[i].provenance.at("threads"), "1");
     EXPECT_EQ(one[i].run, two[i].run);
     EXPECT_EQ(one[i].metric, two[i].metric);
+    EXPECT_EQ(one[i].status, two[i].status) << one[i].metric;
     expect_near(one[i].value, two[i].value, GetParam().rounding, one[i].metric);
+    EXPECT_EQ(one[i].error_bar.has_value(), two[i].error_bar.has_value()) << one[i].metric;
+    expect_near(one[i].error_bar.value_or(0), two[i].error_bar.value_or(0), GetParam().rounding,
+                "bar of " + one[i].metric);
   }
   const Store first(scratch / "1"), second(scratch / "2");
   EXPECT_EQ(!first.read_all_findings().findings.empty(), GetParam().analysed);

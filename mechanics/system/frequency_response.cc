@@ -159,7 +159,7 @@ struct FrequencyResponse::Stiffness {
 };
 
 // |Z| |Z^-1| in the complement of rigid motion, by two steps of the power method from noise. Pivots would tell less: at
-// the resonance of a mesh the smallest is about its number of unknowns times as large as the eigenvalue that vanishes.
+// the resonance of a mesh the smallest is the eigenvalue that vanishes over what the mode has of one unknown, squared.
 double FrequencyResponse::condition() const {
   VectorXcd x = uniform_noise(system_.K.rows(), 1).cast<Complex>();
   for (int step = 0; step < 2; ++step) {

@@ -161,7 +161,8 @@ double frequency_of_chain(Index n, bool is_free, Index k) {
   return 8 * std::sin(theta / 2) / std::sqrt(2 + std::cos(theta));
 }
 
-// The smallest pivot says less of a long chain, whose modes have a little of every unknown: none is below 1e-14.
+// The smallest pivot says less of a long chain, whose modes have a little of every unknown: of 3000 it is 3e-14 to
+// 9e-12 of the largest at these resonances, of ten below 5e-15.
 TEST(FrequencyResponseTest, UndampedResonanceIsRefusedWhateverTheSize) {
   for (const bool is_free : {false, true})
     for (const Index n : {10, 300, 3000})

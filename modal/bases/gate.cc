@@ -9,9 +9,6 @@
 namespace mb {
 namespace {
 
-// Each entry of a matrix then meets a row of modes, not one number after another.
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();  // [-] of an eigenvalue, over lambda_max
 
 double lambda_of(const Modes& modes, Index i) { return modes.omega(i) * modes.omega(i); }

@@ -16,6 +16,9 @@
 
 namespace mb {
 
+// Vectors side by side, by rows: each entry of a sparse matrix then meets a row of all, not one number after another.
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 // A basis that did not pass; what() names the mode, the figure and its bound.
 class GateFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -8,12 +8,10 @@
 
 namespace mb {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 ElasticModes rayleigh_ritz(const System& system, const MatrixXd& Y) {
   // Twice is enough: the second pass removes what rounding left of the first.
   const MatrixXd X = without_rigid_part(system, without_rigid_part(system, Y));
-  const RowMajor rows = X;  // each entry of a matrix then meets a row of X, not one number after another
+  const RowMajor rows = X;
   const RowMajor MX = system.M * rows, KX = system.K * rows;
   const MatrixXd gram = X.transpose() * MX, stiffness = X.transpose() * KX;
   const auto eigen = generalized_eigen(stiffness, gram);
