@@ -233,6 +233,8 @@ TEST(ProgramCases, ModesAsJson) {
       EXPECT_EQ(mode["omega"], 0.0);
     }
     EXPECT_LT(mode["residual"], 1e-8);
+    const double bar = mode["bar_hertz"].get<double>(), hertz = mode["hertz"].get<double>();
+    EXPECT_TRUE(i < 6 ? bar == 0 : bar > 1e-4 * hertz && bar < 0.5 * hertz) << bar << " of " << hertz;
     EXPECT_EQ(mode["participation"].size(), 3u);
     if (i < 6) {
       EXPECT_LE(mode["polynomial_degree"], 1);

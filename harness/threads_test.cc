@@ -29,12 +29,15 @@ double size_of_column(const Finding& a, size_t j) {
   return largest;
 }
 
+enum class Cells { all, texts_and_counts };  // of tables
+
 // Cells of tables, of the largest in their column.
-void expect_near(const Finding& a, const Finding& b, double relative) {
+void expect_near(const Finding& a, const Finding& b, double relative, Cells cells) {
   ASSERT_EQ(a.rows.size(), b.rows.size()) << a.name;
   ASSERT_EQ(a.bars.size(), b.bars.size()) << a.name;
   for (size_t i = 0; i < a.rows.size(); ++i)
     for (size_t j = 0; j < a.columns.size(); ++j) {
+      if (cells == Cells::texts_and_counts && !a.columns[j].unit.empty()) continue;
       const std::string what = fmt::format("{}, row {}, {}", a.name, i + 1, a.columns[j].name);
       const double tolerance = relative * size_of_column(a, j);
       ASSERT_EQ(a.rows[i][j].index(), b.rows[i][j].index()) << what;
@@ -61,10 +64,11 @@ void expect_near(const Trajectory& a, const Trajectory& b, double tolerance, con
 }
 
 // How many answers there were to compare.
-size_t expect_near(const Store& a, const Store& b, double tolerance) {
+size_t expect_near(const Store& a, const Store& b, double tolerance, Cells cells) {
   const auto findings = a.read_all_findings().findings, others = b.read_all_findings().findings;
   EXPECT_EQ(findings.size(), others.size());
-  for (size_t i = 0; i < std::min(findings.size(), others.size()); ++i) expect_near(findings[i], others[i], tolerance);
+  for (size_t i = 0; i < std::min(findings.size(), others.size()); ++i)
+    expect_near(findings[i], others[i], tolerance, cells);
   size_t n_answers = 0;
   for (const auto& [name, content] : finished(a.directory())) {
     const fs::path file = name;
@@ -181,18 +185,25 @@ modes = [12]
 contact_steps = [5e-5]
 )";
 
+std::string hard_case(const std::string& name) {
+  return text(fs::path(MB_SOURCE_DIR) / "cases/hard" / (name + ".toml"));
+}
+
 struct Threaded {
   std::string name, content;
   size_t n_answers;  // at least
   bool analysed;
   double rounding;  // of records: [-] of the truth, [m] or [rad] of bodies of 0.2 m
+  Cells cells = Cells::all;
 };
 
 class ThreadsCases : public ::testing::TestWithParam<Threaded> {};
 
 // The rounding of some hundred steps, far below every error bar; in contact, whose touches begin and end by a bit
 // earlier or later, 6e-11 was seen. Tables and motions hold differences and times of extremes, too, which lose two
-// digits more; steps are chosen by an error estimate of 1e-4.
+// digits more; steps are chosen by an error estimate of 1e-4. Of
+// hard cases, over some ten thousand steps, 5e-9 was seen; their tables hold sizes of rounding itself, but what they
+// count and say is the same.
 TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRounding) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", GetParam().content);
@@ -217,13 +228,17 @@ TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRounding) {
   }
   const Store first(scratch / "1"), second(scratch / "2");
   EXPECT_EQ(!first.read_all_findings().findings.empty(), GetParam().analysed);
-  EXPECT_GE(expect_near(first, second, 100 * GetParam().rounding), GetParam().n_answers);
+  EXPECT_GE(expect_near(first, second, 100 * GetParam().rounding, GetParam().cells), GetParam().n_answers);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ThreadsCases,
                          ::testing::Values(Threaded{"free", finely_meshed_case(), 7, true, 1e-10},
                                            Threaded{"dashpot", dashpot_case, 7, true, 1e-10},
-                                           Threaded{"contact", contact_case, 5, false, 1e-9}),
+                                           Threaded{"contact", contact_case, 5, false, 1e-9},
+                                           Threaded{"distorted", hard_case("distorted-mesh"), 7, true, 1e-8,
+                                                    Cells::texts_and_counts},
+                                           Threaded{"nearly_degenerate", hard_case("nearly-degenerate-bar"), 7, true,
+                                                    1e-8, Cells::texts_and_counts}),
                          [](const auto& of) { return of.param.name; });
 
 }  // namespace

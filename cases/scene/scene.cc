@@ -94,6 +94,13 @@ Resolution own_meshes(const Scene& scene) {
   return all;
 }
 
+Scene on_meshes(Scene scene, Resolution meshes) {
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) scene.bodies[i].resolution = meshes.others.at(i - 1);
+  meshes.others.clear();
+  scene.bodies.at(0).resolution = std::move(meshes);
+  return scene;
+}
+
 VectorXd frame_times(const Scene& scene) { return times_at(scene.frame_rate, scene.duration); }
 
 VectorXd sample_times(const Scene& scene) {

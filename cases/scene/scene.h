@@ -236,7 +236,8 @@ struct Scene {
 const Obstacle* striker_of(const Scene& scene, const Body& body);
 // The body that another meets in this contact; nullptr: it meets an obstacle.
 const Body* partner_of(const Scene& scene, const ContactPair& pair);
-Resolution own_meshes(const Scene& scene);  // the bodies' own, of the whole scene
+Resolution own_meshes(const Scene& scene);        // the bodies' own, of the whole scene
+Scene on_meshes(Scene scene, Resolution meshes);  // with these for its bodies' own; of the whole scene
 
 VectorXd frame_times(const Scene& scene);   // [s] 0, 1/rate, ... up to the duration
 VectorXd sample_times(const Scene& scene);  // [s] likewise at samples_per_second, those from samples_from on

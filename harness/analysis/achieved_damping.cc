@@ -7,7 +7,6 @@
 #include "harness/analysis/dropped_coupling.h"
 #include "harness/analysis/modal_body.h"
 #include "harness/analysis/step_damping.h"
-#include "harness/analysis/told.h"
 #include "mechanics/system/exact.h"
 #include "modal/methods/projection.h"
 
@@ -119,9 +118,11 @@ Finding damping_of_steps(const AnalysisContext& context, const Steps& steps, con
   return found;
 }
 
-std::vector<Finding> on_mesh(const AnalysisContext& context, const Resolution& meshes) {
+}  // namespace
+
+std::vector<Finding> achieved_damping(const AnalysisContext& context) {
   const Body& scene_body = context.scene->bodies.front();
-  const ModalBody body = modal_body(context, n_modes, meshes);
+  const ModalBody body = modal_body(context, n_modes);
   const Index n_rigid = body.modes.n_rigid, n = body.modes.size() - n_rigid;
   const System reduced = project(body.system, body.modes);
   const Modes unit{n_rigid, body.modes.omega, MatrixXd::Identity(body.modes.size(), body.modes.size()), {}, 0};
@@ -143,14 +144,6 @@ std::vector<Finding> on_mesh(const AnalysisContext& context, const Resolution& m
   const Index n_kept = kept.size() - n_rigid;
   return {found, damping_of_steps(context, steps, project(body.system, kept), kept.omega.tail(n_kept),
                                   of_reduced.head(n_kept), of_scene.head(n_kept))};
-}
-
-}  // namespace
-
-std::vector<Finding> achieved_damping(const AnalysisContext& context) {
-  std::vector<Finding> found = on_mesh(context, own_meshes(*context.scene));
-  add_bars(found, on_mesh(context, another_mesh(*context.scene)));
-  return found;
 }
 
 }  // namespace mb

@@ -24,7 +24,8 @@ Finding marks_table(const std::string& samples) {
                "shutter of 1/F: a point, a box of N sub-samples, or the exact mean. With |.| over frames and points, x "
                "the truth on the same mesh and y the contender: aliasing |B y_high|, droop |B y_low - y_low|, low-band "
                "error |y_low - x_low|, frame error |B y - x_low|, all over |x_low|. Exact means of modes are closed "
-               "forms. Frames whose shutter leaves the record are left out. " +
+               "forms. Bars: the distance to the same on another mesh of the case. Frames whose shutter leaves the "
+               "record are left out. " +
                    samples,
                {{"frame rate", "Hz"},
                 {"frames", ""},

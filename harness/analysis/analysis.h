@@ -27,6 +27,7 @@ struct Analysis {
   enum class Scenes { any, without_contact, with_contact } scenes = Scenes::any;  // for which it is made
   bool theories = false;      // whether bodies of beam and plate theory have it, too
   bool of_truth = false;      // told again of the truth's neighbour, for error bars (harness/analysis/told.h)
+  bool of_mesh = false;       // told again of another mesh of the case, likewise
   bool timed = false;         // whether times are among its numbers: it runs alone
   bool single_modes = false;  // of modes one by one: not where a dashpot couples them
 };

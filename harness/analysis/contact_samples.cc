@@ -1,6 +1,7 @@
 // What the number of samples does that carry a modal contact.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "harness/analysis/contact_tables.h"
 #include "harness/analysis/first_impact.h"
@@ -16,7 +17,8 @@ Finding samples_table() {
                "The first contact with samples twice, once, half and a quarter of the contact's radius in size where "
                "the bodies touch first, growing with the distance; contenders use a half. Changes are against the "
                "finest, the most modes and the least step of the study in all. Bars of what is told against the truth: "
-               "its distance to its coarser mesh and between two tolerances.",
+               "its distance to its coarser mesh and between two tolerances; of values their distance to the finest "
+               "and, of these and of changes, too, how far the finest are from the next.",
                {{"method", ""},
                 {"modes r", ""},
                 {"size / a", "-"},
@@ -42,6 +44,18 @@ Index n_samples(const FloatingBases& bases) {
 double bar_of(const TruthSet& truth, double FirstImpact::*part) {
   const auto of = [&](const Trajectory& one) { return first_impact(one, truth.finer).*part; };
   return std::abs(of(truth.coarser) / of(truth.finer) - 1) + std::abs(of(truth.loose) / of(truth.same_mesh) - 1);
+}
+
+// The last row's bars of values and changes: `now` against the finest, and these against the next.
+void bar_values(Finding& found, const FirstImpact& now, const FirstImpact& next, const FirstImpact& best) {
+  constexpr std::tuple<const char*, const char*, double FirstImpact::*> told[] = {
+      {"duration", "change of duration", &FirstImpact::duration},
+      {"peak force", "change of peak force", &FirstImpact::peak},
+      {"impulse", "change of impulse", &FirstImpact::impulse}};
+  for (const auto& [value, change, part] : told) {
+    const double off = std::abs(now.*part - best.*part), left = std::abs(next.*part - best.*part);
+    bar_last_row(found, {{value, off + left}, {change, left / std::abs(best.*part)}});
+  }
 }
 
 }  // namespace
@@ -73,6 +87,7 @@ Finding contact_samples(const ContactVariants& variants, const AnalysisContext& 
                             change(now.impulse, real.impulse)});
       bar_last_row(found, {{"peak force against truth", of_peak * std::abs(now.peak / real.peak)},
                            {"impulse against truth", of_impulse * std::abs(now.impulse / real.impulse)}});
+      bar_values(found, now, impacts[impacts.size() - 2], best);
     }
   }
   return found;

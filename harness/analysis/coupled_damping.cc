@@ -4,7 +4,6 @@
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/dropped_coupling.h"
 #include "harness/analysis/modal_body.h"
-#include "harness/analysis/told.h"
 #include "mechanics/system/complex_modes.h"
 #include "modal/methods/projection.h"
 
@@ -58,9 +57,12 @@ void add_modes(Finding& found, const VectorXd& omega, const MatrixXd& C, const C
   }
 }
 
-std::vector<Finding> on_mesh(const AnalysisContext& context, const std::vector<int>& counts, const Resolution& meshes) {
+}  // namespace
+
+std::vector<Finding> coupled_damping(const AnalysisContext& context) {
   const Scene& scene = *context.scene;
-  const ModalBody body = modal_body(context, counts.back(), meshes);
+  const std::vector<int> counts = few(mode_counts(context), counts_tried);
+  const ModalBody body = modal_body(context, counts.back());
   Finding errors = errors_table(), of_modes = modes_table();
   for (const int r : counts) {
     const Modes kept = leading(body.modes, r);
@@ -76,15 +78,6 @@ std::vector<Finding> on_mesh(const AnalysisContext& context, const std::vector<i
     if (r == counts.back()) add_modes(of_modes, omega, C, modes);
   }
   return {errors, of_modes};
-}
-
-}  // namespace
-
-std::vector<Finding> coupled_damping(const AnalysisContext& context) {
-  const std::vector<int> counts = few(mode_counts(context), counts_tried);
-  std::vector<Finding> found = on_mesh(context, counts, own_meshes(*context.scene));
-  add_bars(found, on_mesh(context, counts, another_mesh(*context.scene)));
-  return found;
 }
 
 }  // namespace mb

@@ -10,6 +10,7 @@
 #include "harness/analysis/frequencies.h"
 #include "harness/analysis/modal_body.h"
 #include "harness/analysis/peak.h"
+#include "harness/analysis/told.h"
 #include "mechanics/system/frequency_response.h"
 #include "modal/methods/projection.h"
 
@@ -29,7 +30,8 @@ Finding curves_table(const Probe& probe, bool damped) {
   std::string note = fmt::format(
       "Steady displacement at probe '{}' under a load of unit factor, full order on the body's mesh and reduced. From "
       "a fifth of the first elastic frequency to that of mode {}, in equal ratios. Static correction adds the residual "
-      "flexibility, which is real and the same at all frequencies. Phase: that of the displacement against the load.",
+      "flexibility, which is real and the same at all frequencies. Phase: that of the displacement against the load. "
+      "Bars: the distance to the same on another mesh of the case, at the same frequencies.",
       probe.name, highest_mode);
   if (!damped)
     note += " The body is undamped: peaks are unbounded, and frequencies keep 1 % away from those of the modes known.";
@@ -42,17 +44,16 @@ Finding errors_table() {
   return table(
       "frequency-response", "frequency-response-error", "Error of reduced frequency responses",
       "Error: root of the sum over the frequencies of |u_r - u|^2 over that of |u|^2, complex, so that phase "
-      "counts. Largest deviation: the largest |u_r - u| / |u|, and where.",
+      "counts. Largest deviation: the largest |u_r - u| / |u|, and where. Bars: the distance to the same on another "
+      "mesh of the case.",
       {{"load", ""}, {"contender", ""}, {"modes r", ""}, {"error", "-"}, {"largest deviation", "-"}, {"at", "Hz"}});
 }
 
 Finding peaks_table() {
-  return table(
-      "frequency-response", "frequency-response-peaks", "Highest peak of the frequency response",
-      "Near the largest of the frequencies looked at in full order, by golden section to 1e-4 in frequency. "
-      "Amplitude: for a load of unit factor. Bars: how far another mesh of the case moves the peak of the most "
-      "modes with static correction.",
-      {{"contender", ""}, {"load", ""}, {"modes r", ""}, {"frequency", "Hz"}, {"amplitude", "m"}});
+  return table("frequency-response", "frequency-response-peaks", "Highest peak of the frequency response",
+               "Near the largest of the frequencies looked at in full order, by golden section to 1e-4 in frequency. "
+               "Amplitude: for a load of unit factor. Bars: the distance to the same on another mesh of the case.",
+               {{"contender", ""}, {"load", ""}, {"modes r", ""}, {"frequency", "Hz"}, {"amplitude", "m"}});
 }
 
 std::string load_name(const Scene& scene, Index load) {
@@ -118,12 +119,6 @@ RowVectorXd at_probe(const ModalBody& body, const Probe& probe) {
   return probe.direction.transpose() * body.model.full->displacement_at(Matrix3Xd(probe.point));
 }
 
-// Of r modes with static correction.
-Response on_another_mesh(const AnalysisContext& context, const Probe& probe, int r) {
-  const ModalBody body = modal_body(context, r, another_mesh(*context.scene));
-  return reduced(body, at_probe(body, probe), r, inertia_relief(body.system, body.shifted, body.system.F)).corrected;
-}
-
 // Tables of what a probe answers under every load.
 class Responses {
  public:
@@ -145,17 +140,6 @@ class Responses {
       if (a.is_drawn) draw(load, a);
       if (!std::isnan(a.r)) mark(load, a, full);
     }
-  }
-  bool has_peaks() const { return !peaks_.rows.empty(); }
-  // What the mesh leaves open in peaks: their distance from those that another one answers by the same modes.
-  void bar_peaks(const Response& best_of_own, const Response& best_of_other) {
-    std::vector<std::vector<double>> bars;
-    for (const Bracket& at : brackets_) {
-      const Peak own = highest_of(best_of_own, at), other = highest_of(best_of_other, at);
-      const double wide = std::abs(other.at - own.at), high = std::abs(other.height - own.height);
-      for (Index i = 0; i < at.n_rows; ++i) bars.push_back({nan, nan, nan, wide, high});
-    }
-    peaks_.bars = std::move(bars);
   }
   std::vector<Finding> findings() && {
     std::vector<Finding> all{std::move(curves_), std::move(errors_)};
@@ -179,27 +163,38 @@ class Responses {
   struct Bracket {
     Index load;
     double from, to;  // [Hz] neighbours of the frequency where the response is largest
-    Index n_rows = 0;
   };
   static Peak highest_of(const Response& response, const Bracket& at) {
     return highest([&](double f) { return std::abs(response(f)(at.load)); }, at.from, at.to);
   }
-  void add_peaks(const std::vector<Answer>& answers, Bracket at) {
+  void add_peaks(const std::vector<Answer>& answers, const Bracket& at) {
     for (const Answer& a : answers) {
       if (!a.is_drawn) continue;
       const Peak peak = highest_of(a.response, at);
       peaks_.rows.push_back({a.contender, load_name(scene_, at.load), a.r, peak.at, peak.height});
-      ++at.n_rows;
     }
-    brackets_.push_back(at);
   }
 
   const Scene& scene_;
   VectorXd f_;
   bool has_peaks_;
   Finding curves_, errors_, peaks_;
-  std::vector<Bracket> brackets_;  // of the loads with a peak
 };
+
+std::vector<Finding> on_mesh(const AnalysisContext& context, const Probe& probe, const Resolution& mesh,
+                             const VectorXd& f, bool has_peaks) {
+  const std::vector<int> counts = mode_counts(context);
+  const ModalBody body = modal_body(context, counts.back(), mesh);
+  const std::vector<Answer> all = answers(body, at_probe(body, probe), f, counts);
+  Responses responses(*context.scene, probe, f, has_peaks);
+  for (Index load = 0; load < body.system.F.cols(); ++load) responses.add(load, all);
+  return std::move(responses).findings();
+}
+
+// A phase turns round once in 360 degrees.
+void turn_bars(Finding& curves) {
+  for (std::vector<double>& bars : curves.bars) bars.back() = std::min(bars.back(), 360 - bars.back());
+}
 
 // Frequencies at which no steady response exists: those of the modes that nothing damps.
 VectorXd resonances(const VectorXd& hertz, const VectorXd& zeta) {
@@ -217,20 +212,18 @@ std::vector<Finding> frequency_responses(const AnalysisContext& context) {
   const auto probe =
       std::find_if(scene.probes.begin(), scene.probes.end(), [&](const Probe& p) { return p.body == name; });
   if (probe == scene.probes.end()) return {};  // nowhere to look
-  const std::vector<int> counts = mode_counts(context);
-  const ModalBody body = modal_body(context, std::max(counts.back(), highest_mode));
+  const ModalBody body = modal_body(context, highest_mode);
   const Index n_elastic = body.modes.size() - body.modes.n_rigid;
   if (n_elastic < 2) return {};
   const VectorXd known = body.modes.omega.tail(n_elastic) / (2 * pi);
   const double last = known(std::min<Index>(highest_mode, n_elastic) - 1);
   const VectorXd undamped = resonances(known, damping_ratios(body.system, body.modes));
   const VectorXd f = frequencies_between(known(0) / 5, last, n_frequencies, undamped);
-  const std::vector<Answer> all = answers(body, at_probe(body, *probe), f, counts);
-  Responses responses(scene, *probe, f, undamped.size() == 0);
-  for (Index load = 0; load < body.system.F.cols(); ++load) responses.add(load, all);
-  if (responses.has_peaks())  // last: the context has one model at a time
-    responses.bar_peaks(all.back().response, on_another_mesh(context, *probe, counts.back()));
-  return std::move(responses).findings();
+  const bool has_peaks = undamped.size() == 0;
+  std::vector<Finding> found = on_mesh(context, *probe, own_meshes(scene), f, has_peaks);
+  add_bars(found, on_mesh(context, *probe, another_mesh(scene), f, has_peaks));
+  turn_bars(found.front());
+  return found;
 }
 
 }  // namespace mb

@@ -19,20 +19,22 @@ constexpr int most_modes = 16;
 constexpr Index most_times = 40;
 
 Finding linearity_table() {
-  return table("linearity", "linearity", "How far linear theory is off",
-               "Of the body's modes under the scene's loads, at up to forty of its samples. Strain and rotation: the "
-               "largest of the linear answer. Estimate: the first two terms beyond linear theory of a perturbation "
-               "series, each static, from the stored energy. Error: of the linear answer against the finite truth. "
-               "Verdict: whether strain or rotation is beyond what is taken without a warning.",
-               {{"modes r", ""},
-                {"largest strain", "-"},
-                {"largest rotation", "rad"},
-                {"second order", "-"},
-                {"third order", "-"},
-                {"estimate", "-"},
-                {"error", "-"},
-                {"estimate over error", "-"},
-                {"verdict", ""}});
+  return table(
+      "linearity", "linearity", "How far linear theory is off",
+      "Of the body's modes under the scene's loads, at up to forty of its samples. Strain and rotation: the "
+      "largest of the linear answer. Estimate: the first two terms beyond linear theory of a perturbation "
+      "series, each static, from the stored energy. Error: of the linear answer against the finite truth. "
+      "Bars: the distance to the same on another mesh of the case, its own finite truth with it, and to a truth "
+      "of ten times the tolerance. Verdict: whether strain or rotation is beyond what is taken without a warning.",
+      {{"modes r", ""},
+       {"largest strain", "-"},
+       {"largest rotation", "rad"},
+       {"second order", "-"},
+       {"third order", "-"},
+       {"estimate", "-"},
+       {"error", "-"},
+       {"estimate over error", "-"},
+       {"verdict", ""}});
 }
 
 // Every n-th sample, none of those at which nothing has moved yet.

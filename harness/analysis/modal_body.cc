@@ -29,6 +29,10 @@ VectorXd damping_ratios(const System& system, const Modes& modes) {
   return zeta;
 }
 
+double rounding_of_frequency(const Modes& modes, double omega) {
+  return std::numeric_limits<double>::epsilon() * modes.lambda_max / (2 * omega * omega);
+}
+
 Model model_of_own_mesh(const std::shared_ptr<const Scene>& scene, const Resolution& mesh) {
   require_memory(memory(*scene, mesh), available_memory());
   return make_model(scene, mesh);

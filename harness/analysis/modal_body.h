@@ -18,6 +18,10 @@ Modes leading(const Modes& modes, int n_elastic);
 // zeta_i = phi_i^T C phi_i / (2 omega_i) of the elastic modes, by the damping operator of the system.
 VectorXd damping_ratios(const System& system, const Modes& modes);
 
+// [-] What rounding of the entries of K and M makes of a frequency omega [rad/s] of theirs, eps lambda_max/(2 omega^2):
+// |dK| <= eps |K| moves lambda by at most eps lambda_max.
+double rounding_of_frequency(const Modes& modes, double omega);
+
 struct ModalBody {
   const Model& scene_model;  // valid until the context is asked for a model again
   const BodyModel& model;    // its first body

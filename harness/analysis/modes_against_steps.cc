@@ -54,6 +54,13 @@ SolvedBody solved_body(const Scene& scene, int n_modes) {
   return {std::move(model), std::move(modes), std::move(at_rest)};
 }
 
+BarredFrequency first_frequency(const SolvedBody& body, const Scene& scene) {
+  constexpr int few = 4;  // a square bar's first two are twins
+  const double hertz = body.first() / (2 * pi);
+  const double of_other = solved_body(on_meshes(scene, another_mesh(scene)), few).first() / (2 * pi);
+  return {hertz, std::abs(hertz - of_other) + rounding_of_frequency(body.modes, body.first()) * hertz};
+}
+
 ModesAgainstSteps modes_against_steps(const AnalysisContext& context, const SolvedBody& body, const Scene& scene) {
   System reduced = project(body.system(), body.modes);
   for (size_t i = 0; i < scene.loads.size(); ++i) reduced.s[i] = scene.loads[i].history;

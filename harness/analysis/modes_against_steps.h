@@ -21,6 +21,11 @@ struct SolvedBody {
 // The scene's first body with n_modes elastic modes. Throws as model_of_own_mesh and lowest_modes.
 SolvedBody solved_body(const Scene& scene, int n_modes);
 
+struct BarredFrequency {
+  double hertz, bar;  // of the first elastic mode; distance to that of another mesh of the scene, and rounding
+};
+BarredFrequency first_frequency(const SolvedBody& body, const Scene& scene);
+
 struct ModesAgainstSteps {
   double off, bar;                     // [-] against steps at rtol 1e-6; its distance to that against 1e-5
   double newmark_far_past;             // [-] energy at 1000 times the limit of central differences

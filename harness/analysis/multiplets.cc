@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "harness/analysis/analyses.h"
@@ -17,6 +18,7 @@ namespace mb {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Index largest_dense = 2500;  // [-] unknowns: ten seconds
 
 Finding multiplets_table() {
@@ -25,8 +27,9 @@ Finding multiplets_table() {
       "Elastic modes of the body's mesh whose eigenvalues differ by at most 1e-6 of themselves stand together. "
       "Block Lanczos iterations beside a dense solver of the whole matrix. Gap: to the next eigenvalue "
       "above or below, relative. Subspace distance: sine of the largest angle between what the two solvers "
-      "span, in the M norm; of the order of the residual over the gap. Bar of a frequency: the difference of the two "
-      "solvers, which knows nothing of the mesh.",
+      "span, in the M norm; of the order of the residual over the gap. Bars: of a frequency the "
+      "distance to that of another mesh of the case and what two solvers share, rounding of K and M, "
+      "eps lambda_max/(2 lambda) of it; of the difference of frequency that, of the gap twice that.",
       {{"first mode", ""},
        {"multiplicity", ""},
        {"frequency", "Hz"},
@@ -96,7 +99,9 @@ Finding answers(const System& system, const Modes& modes, const ModalForm& dense
 }  // namespace
 
 std::vector<Finding> multiplets(const AnalysisContext& context) {
-  const ModalBody body = modal_body(context, mode_counts(context).back());
+  const int most = mode_counts(context).back();
+  const VectorXd on_another_mesh = modal_body(context, most, another_mesh(*context.scene)).modes.omega;
+  const ModalBody body = modal_body(context, most);  // last: the context has one model at a time
   System undamped = body.system;
   if (undamped.M.rows() > largest_dense)
     throw std::invalid_argument(
@@ -110,7 +115,11 @@ std::vector<Finding> multiplets(const AnalysisContext& context) {
     const double hertz = each.omega / (2 * pi);
     found.rows.push_back({count(each.multiplet.first - n_rigid + 1), count(each.multiplet.n), hertz, each.gap,
                           each.difference, each.distance, each.distance * each.gap});
-    bar_last_row(found, {{"frequency", each.difference * hertz}});
+    const double rounding = rounding_of_frequency(body.modes, each.omega);
+    const Index i = each.multiplet.first;
+    const double mesh = i < on_another_mesh.size() ? std::abs(on_another_mesh[i] - each.omega) / (2 * pi) : infinity;
+    bar_last_row(
+        found, {{"frequency", mesh + rounding * hertz}, {"gap", 2 * rounding}, {"difference of frequency", rounding}});
   }
   const std::vector<int> asked = mode_counts(context);
   return {found, kept(body.modes, dense.lambda, asked), answers(body.system, body.modes, dense, *context.scene, asked)};

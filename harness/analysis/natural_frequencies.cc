@@ -124,7 +124,7 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
       fmt::format(
           "Modes in ascending order; relative uncertainty of the reference {:.0e}. Error: f/f_reference - 1, on "
           "the body's mesh where no other is named. Order: between the finest two meshes of one degree whose cells "
-          "are of one shape.",
+          "are of one shape. Bar of a frequency: the larger distance to those of the other two meshes.",
           reference.uncertainty),
       {{"mode", ""}, {"reference", "Hz"}, {"frequency", "Hz"}, {"error", "-"}});
   for (const OnMesh& mesh : meshes) found.columns.push_back({"error " + to_string(mesh.resolution), "-"});
@@ -142,6 +142,8 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
     found.rows.back().push_back(convergence_index(meshes, row, i));
     found.bars.emplace_back(found.columns.size(), nan);  // of errors: what the reference leaves open
     for (size_t j = 3; j < 4 + meshes.size(); ++j) found.bars.back()[j] = reference.uncertainty;
+    found.bars.back()[2] =
+        std::max(std::abs(meshes[1].hertz(i) - meshes[0].hertz(i)), std::abs(meshes[1].hertz(i) - meshes[2].hertz(i)));
   }
   return {found};
 }

@@ -23,14 +23,18 @@ constexpr Index most_coupled = 350;    // [-] likewise where damping couples the
 constexpr double past_the_limit = 10;  // [-] the grid ends so far beyond the limit of the slowest system
 // Explicit Euler's limit, 2 zeta/omega, lies far below the grid. In modes steps are cheap enough to go there.
 constexpr double below_the_limit = 30, most_modal_steps = 400000;
+// Full order as far as to a third of its limit, where its steps times its modes allow it.
+constexpr double below_the_whole_limit = 3, most_whole_work = 4e9;
 
 Finding map_table() {
   return table(
       "stability-map", "stability-map", "Steps that are stable, inaccurate and unstable",
       "Every integrator of fixed step on the modes of the mesh, over mode count and step, and on full order, in all "
       "modes of a mesh of at most 2500 unknowns (350 where damping couples modes; the limit of any mesh is in "
-      "step-limits), those with the mass lumped where explicit schemes step held bodies. "
-      "Unstable: the energy "
+      "step-limits), those with the mass lumped where explicit schemes step held bodies; in modes down to a thirtieth "
+      "of "
+      "the limit of the most, on full order to a third of its own, as far as 400 thousand steps and 4e9 steps times "
+      "modes go. Unstable: the energy "
       "of free vibration, all modes alike, passes 1e4 of what it was within 1000 steps, or there is no number. "
       "Inaccurate: bounded, and under the scene's loads more than 5 % off the closed form of the same modes "
       "(M norm, elastic part). Spectral radius: the largest of one step over the modes, of all of them together where "
@@ -125,16 +129,28 @@ std::vector<double> steps_of_grid(const Mapped& all, double duration) {
   return steps;
 }
 
-// Those before the first of the grid, to below the least limit of an integrator on its modes. Ascending.
-std::vector<double> steps_below_grid(const Mapped& all, const std::string& integrator, double first, double duration) {
+// The grid from its first step down to `last`, and the grid itself. Ascending.
+std::vector<double> steps_from(double last, std::vector<double> grid) {
+  const double first = grid.front();
+  for (int i = 1; first * std::pow(10., -i * 1. / steps_a_decade) > last; ++i)
+    grid.insert(grid.begin(), first * std::pow(10., -i * 1. / steps_a_decade));
+  return grid;
+}
+
+// To below the least limit of an integrator on its modes, where it is stable at any step.
+std::vector<double> steps_in_modes(const Mapped& all, const std::string& integrator, const std::vector<double>& grid,
+                                   double duration) {
   double least = std::numeric_limits<double>::infinity();
   for (const MappedSystem& mapped : all.reduced) least = std::fmin(least, predicted_limit(mapped, integrator));
-  std::vector<double> steps;
-  if (!(least > 0)) return steps;  // stable at no step
-  const double last = std::max(least / below_the_limit, duration / most_modal_steps);
-  for (int i = 1; first * std::pow(10., -i * 1. / steps_a_decade) > last; ++i)
-    steps.insert(steps.begin(), first * std::pow(10., -i * 1. / steps_a_decade));
-  return steps;
+  if (!(least > 0)) return grid;
+  return steps_from(std::max(least / below_the_limit, duration / most_modal_steps), grid);
+}
+
+std::vector<double> steps_of_whole(const MappedSystem& whole, const std::string& integrator,
+                                   const std::vector<double>& grid, double duration) {
+  const double limit = predicted_limit(whole, integrator), n = static_cast<double>(whole.modes.omega.size());
+  if (!(limit > 0)) return grid;
+  return steps_from(std::max(limit / below_the_whole_limit, duration * n / most_whole_work), grid);
 }
 
 struct Summary {
@@ -194,11 +210,11 @@ std::vector<Finding> stability_map(const AnalysisContext& context) {
                             verdict(cell)});
       }
     };
-    std::vector<double> finer = steps_below_grid(all, integrator.name, steps.front(), context.scene->duration);
-    finer.insert(finer.end(), steps.begin(), steps.end());
-    for (const MappedSystem& mapped : all.reduced) add(mapped, finer, false);
+    const double duration = context.scene->duration;
+    const std::vector<double> in_modes = steps_in_modes(all, integrator.name, steps, duration);
+    for (const MappedSystem& mapped : all.reduced) add(mapped, in_modes, false);
     const auto& whole = integrator.conditionally_stable && all.lumped ? all.lumped : all.implicit;
-    if (whole) add(*whole, steps, true);
+    if (whole) add(*whole, steps_of_whole(*whole, integrator.name, steps, duration), true);
     summary.rows.push_back(sum.row(integrator.name));
     if (whole) summary.rows.push_back(of_whole.row(integrator.name + ", full order"));
   }

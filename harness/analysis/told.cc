@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "harness/analysis/footings.h"
+#include "harness/analysis/modal_body.h"
 
 namespace mb {
 
@@ -19,15 +20,30 @@ TruthSet neighbour_of(const TruthSet& truth) {
   return other;
 }
 
+// Another mesh in the place of the body's, in scene and truth.
+struct OnAnotherMesh {
+  std::shared_ptr<const Scene> scene;
+  TruthSet truth;
+};
+OnAnotherMesh on_another_mesh(const AnalysisContext& context) {
+  const Scene& scene = *context.scene;
+  const Resolution mesh = another_mesh(scene);
+  TruthSet truth = context.truth;
+  truth.same_mesh = truth.loose = mesh == scene.truth.finer ? truth.finer : truth.coarser;
+  return {std::make_shared<const Scene>(on_meshes(scene, mesh)), std::move(truth)};
+}
+
 double number(const FindingCell& cell) { return cell.index() == 1 ? std::get<double>(cell) : nan; }
 
 // Of rows that tell of the same: the cell that names a row, text or count, and texts before the first number that is
 // measured. A verdict behind it follows from numbers, and turns where they are not known well enough.
 bool tell_of_the_same(const std::vector<FindingColumn>& columns, const std::vector<FindingCell>& a,
-                      const std::vector<FindingCell>& b) {
+                      const std::vector<FindingCell>& b, bool counts_too) {
   if (!columns.empty() && columns[0].unit.empty() && a[0] != b[0]) return false;
-  for (std::size_t j = 0; j < columns.size() && columns[j].unit.empty(); ++j)
-    if (a[j].index() != b[j].index() || (a[j].index() == 0 && a[j] != b[j])) return false;
+  for (std::size_t j = 0; j < columns.size() && columns[j].unit.empty(); ++j) {
+    const bool is_text = a[j].index() == 0, is_nothing = std::isnan(number(a[j])) && std::isnan(number(b[j]));
+    if (a[j].index() != b[j].index() || ((is_text || (counts_too && !is_nothing)) && a[j] != b[j])) return false;
+  }
   return true;
 }
 
@@ -42,11 +58,13 @@ double distance(const FindingColumn& column, const FindingCell& a, const Finding
 void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours) {
   for (Finding& finding : findings) {
     const auto other = std::ranges::find(neighbours, finding.name, &Finding::name);
-    if (other == neighbours.end() || other->rows.size() != finding.rows.size()) continue;
+    if (other == neighbours.end()) continue;
+    const std::size_t n = std::min(finding.rows.size(), other->rows.size());
+    const bool counts_too = other->rows.size() != finding.rows.size();
     if (finding.bars.empty()) finding.bars.assign(finding.rows.size(), std::vector(finding.columns.size(), nan));
-    for (std::size_t i = 0; i < finding.rows.size(); ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
       const auto &row = finding.rows[i], &beside = other->rows[i];
-      if (!tell_of_the_same(finding.columns, row, beside)) continue;
+      if (!tell_of_the_same(finding.columns, row, beside, counts_too)) continue;
       for (std::size_t j = 0; j < row.size(); ++j)
         finding.bars[i][j] = std::fmax(finding.bars[i][j], distance(finding.columns[j], row[j], beside[j]));
     }
@@ -67,6 +85,10 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
   if (analysis.of_truth && context.scene->contacts.empty()) {
     const TruthSet neighbour = neighbour_of(context.truth);
     add_bars(findings, analysis.run({context.scene, context.catalogue, neighbour, context.model}));
+  }
+  if (analysis.of_mesh) {
+    const OnAnotherMesh other = on_another_mesh(context);
+    add_bars(findings, analysis.run({other.scene, context.catalogue, other.truth, context.model}));
   }
   for (Finding& finding : findings) {
     bar_fits(finding);

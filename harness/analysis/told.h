@@ -1,6 +1,6 @@
 // What an analysis finds, with what it is held to and an error bar beside every number that follows from the truth of
-// the case: the distance of the same tables told of the truth's neighbour, `coarser` in the place of `finer` and rtol
-// in that of rtol/100 (harness/study/truth.h).
+// the case or from the body's mesh: the distance of the same tables told of the truth's neighbour, `coarser` in the
+// place of `finer` and rtol in that of rtol/100 (harness/study/truth.h), or of another mesh, the larger of both.
 #pragma once
 
 #include "harness/analysis/analysis.h"
@@ -10,8 +10,8 @@ namespace mb {
 // Throws as the analysis does. Scenes with contact are not told twice: their budget has its own neighbours.
 std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& context);
 
-// bars = |cell - cell of the other| where tables, numbers of rows and the texts that a row begins with are the same,
-// else NaN; bars that a table has of its own stay where they are larger.
+// bars = |cell - cell of the other| where tables and the texts that a row begins with are the same, and, where one has
+// more rows, the counts with them; else NaN. Bars that a table has of its own stay where they are larger.
 void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours);
 
 // A column "standard error" becomes the bar of the fit in the column before it, unless that has a larger one.

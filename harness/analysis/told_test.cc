@@ -51,12 +51,18 @@ TEST(AddBars, AreNoneWhereRowsTellOfSomethingElse) {
   EXPECT_TRUE(std::isnan(found[0].bars[0][2])) << "another contender";
   add_bars(found, {one({{"x", 4.0, nan}})});
   EXPECT_TRUE(std::isnan(found[0].bars[0][2])) << "no number";
-  std::vector<Finding> longer{one(rows)};
-  add_bars(longer, {one({{"x", 4.0, 0.5}, {"y", 4.0, 0.5}})});
-  EXPECT_TRUE(longer[0].bars.empty()) << "more rows";
   std::vector<Finding> alone{one(rows)};
   add_bars(alone, {});
   EXPECT_TRUE(alone[0].bars.empty());
+}
+
+// A mesh may know fewer modes than another.
+TEST(AddBars, AreOfTheRowsThatBothHaveByTheirCounts) {
+  std::vector<Finding> found{one({{"x", 4.0, 0.5}, {"x", 8.0, 0.5}, {"x", 9.0, 0.5}})};
+  add_bars(found, {one({{"x", 4.0, 0.625}, {"x", 9.0, 0.75}})});
+  EXPECT_EQ(found[0].bars.at(0)[2], 0.125);
+  EXPECT_TRUE(std::isnan(found[0].bars.at(1)[2])) << "another count";
+  EXPECT_TRUE(std::isnan(found[0].bars.at(2)[2])) << "no row";
 }
 
 TEST(AddBars, LargerOnesOfTheTableItselfStay) {

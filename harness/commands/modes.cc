@@ -1,11 +1,14 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <new>
 #include <stdexcept>
 
 #include "cases/json/json.h"
 #include "cases/scene/nearest.h"
+#include "harness/analysis/modal_body.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
 #include "harness/study/estimate.h"
@@ -47,23 +50,47 @@ struct Told {
   std::vector<Index> multiplicity;
   std::vector<int> degree;
   MatrixXd participation;  // count x 3
+  VectorXd bar;            // [rad/s] of the frequencies
 };
 
-Told told(const Scene& scene, const Body& body, const FullModel& full, const Modes& modes, Index count) {
+// Distance to the frequency on the case's other mesh, infinity where it has no such mode, and rounding.
+VectorXd bars(const Modes& modes, const VectorXd& omega_of_other, Index count) {
+  VectorXd all = VectorXd::Zero(count);
+  for (Index i = modes.n_rigid; i < count; ++i) {
+    const double omega = modes.omega[i];
+    all[i] = i < omega_of_other.size()
+                 ? std::abs(omega_of_other[i] - omega) + rounding_of_frequency(modes, omega) * omega
+                 : std::numeric_limits<double>::infinity();
+  }
+  return all;
+}
+
+Told told(const Scene& scene, const Body& body, const FullModel& full, const Modes& modes, Index count,
+          const VectorXd& omega_of_other) {
   const MatrixXd Phi = modes.Phi.leftCols(count);
   const MatrixXd Mr = translated_mass(full, evaluation_points(scene, body).volume, body.material.density);
   MatrixXd shares = participation(Phi, Mr, body.material.density * full.mesh_volume());
   shares = shares.unaryExpr([](double share) { return share < 1e-12 ? 0 : share; });  // rounding
-  return {modes, count, multiplicities(modes), polynomial_degrees(full, Phi), shares};
+  return {
+      modes, count, multiplicities(modes), polynomial_degrees(full, Phi), shares, bars(modes, omega_of_other, count)};
 }
 
-Told computed(const Scene& scene, const Body& body, int most) {
+VectorXd frequencies(const Scene& scene, const Body& body, int most) {
+  const auto full = full_model(scene, body, body.resolution, modes_of_a_mesh);
+  const Index n_rigid = full->system().R.cols(), count = std::min<Index>(most, full->system().u0.size());
+  return lowest_modes(full->system(), static_cast<int>(std::max<Index>(0, count - n_rigid)), physical_shift(body))
+      .omega;
+}
+
+// beside: the body on the case's other mesh.
+Told computed(const Scene& scene, const Body& body, const Body& beside, int most) {
+  const VectorXd omega_of_other = frequencies(scene, beside, most);
   const auto full = full_model(scene, body, body.resolution, modes_of_a_mesh);
   const System& system = full->system();
   const Index n = system.u0.size(), n_rigid = system.R.cols();
   const Index count = std::min<Index>(most, n);
   const int n_elastic = static_cast<int>(std::max<Index>(0, count - n_rigid));
-  return told(scene, body, *full, lowest_modes(system, n_elastic, physical_shift(body)), count);
+  return told(scene, body, *full, lowest_modes(system, n_elastic, physical_shift(body)), count, omega_of_other);
 }
 
 std::string degree_text(int degree) {
@@ -73,18 +100,19 @@ std::string degree_text(int degree) {
 std::string share_text(double share) { return share < 5e-5 ? "0" : fmt::format("{:.4f}", share); }
 
 void print_table(const Told& all, std::ostream& out) {
-  fmt::print(out, "{:>5}  {:>14}  {:>14}  {:>9}  {:>12}  {:>6}  {:>6}  {:>6}  {:>6}  kind\n", "mode", "omega [rad/s]",
-             "f [Hz]", "residual", "multiplicity", "degree", "x", "y", "z");
+  fmt::print(out, "{:>5}  {:>14}  {:>14}  {:>8}  {:>9}  {:>12}  {:>6}  {:>6}  {:>6}  {:>6}  kind\n", "mode",
+             "omega [rad/s]", "f [Hz]", "+- [Hz]", "residual", "multiplicity", "degree", "x", "y", "z");
   for (Index i = 0; i < all.count; ++i) {
     const auto share = [&](Index d) { return share_text(all.participation(i, d)); };
     const double omega = all.modes.omega[i];
-    fmt::print(out, "{:>5}  {:>14.7g}  {:>14.7g}  {:>9.1e}  {:>12}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", i + 1, omega,
-               omega / (2 * pi), all.modes.residual[i], all.multiplicity[static_cast<size_t>(i)],
-               degree_text(all.degree[static_cast<size_t>(i)]), share(0), share(1), share(2),
-               i < all.modes.n_rigid ? "rigid" : "elastic");
+    fmt::print(out, "{:>5}  {:>14.7g}  {:>14.7g}  {:>8.1e}  {:>9.1e}  {:>12}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", i + 1,
+               omega, omega / (2 * pi), all.bar[i] / (2 * pi), all.modes.residual[i],
+               all.multiplicity[static_cast<size_t>(i)], degree_text(all.degree[static_cast<size_t>(i)]), share(0),
+               share(1), share(2), i < all.modes.n_rigid ? "rigid" : "elastic");
   }
   fmt::print(out,
-             "\ndegree: the least of a polynomial displacement in x, y, z, as the supports admit it, that holds {:g} % "
+             "\n+-: the distance to the frequency on the case's other mesh, and rounding\ndegree: the least of a "
+             "polynomial displacement in x, y, z, as the supports admit it, that holds {:g} % "
              "of the mode's M norm squared\nx, y, z: participation, the effective modal mass along the axis as a share "
              "of the body's mass\n",
              100 * degree_share);
@@ -97,6 +125,7 @@ void print_json(const Scene& scene, const Body& body, const Told& all, std::ostr
     const auto share = [&](Index d) { return all.participation(i, d); };
     list.push_back({{"omega", all.modes.omega[i]},
                     {"hertz", all.modes.omega[i] / (2 * pi)},
+                    {"bar_hertz", std::isfinite(all.bar[i]) ? Json(all.bar[i] / (2 * pi)) : Json(nullptr)},
                     {"residual", all.modes.residual[i]},
                     {"multiplicity", all.multiplicity[entry]},
                     {"polynomial_degree", all.degree[entry] == beyond ? Json(nullptr) : Json(all.degree[entry])},
@@ -104,7 +133,7 @@ void print_json(const Scene& scene, const Body& body, const Told& all, std::ostr
                     {"kind", i < all.modes.n_rigid ? "rigid" : "elastic"}});
   }
   fmt::print(out, "{}\n",
-             to_line({{"schema", 2},
+             to_line({{"schema", 3},
                       {"case", scene.name},
                       {"body", body.name},
                       {"n_dofs", all.modes.Phi.rows()},
@@ -116,10 +145,13 @@ void print_json(const Scene& scene, const Body& body, const Told& all, std::ostr
 int modes_command(const ModesOptions& options, const Catalogue& catalogue, const Console& console) {
   const Scene scene = read_toml(find_case(options.case_name), catalogue.vocabulary());
   const Body& body = find_body(scene, options.body);
-  const double needed = memory_of_modes(scene, body, options.count);
+  const Scene other = on_meshes(scene, another_mesh(scene));
+  const Body& beside = other.bodies[static_cast<size_t>(&body - scene.bodies.data())];
+  const double needed =
+      std::max(memory_of_modes(scene, body, options.count), memory_of_modes(scene, beside, options.count));
   require_memory(needed, available_memory());
   try {
-    const Told all = computed(scene, body, options.count);
+    const Told all = computed(scene, body, beside, options.count);
     options.json ? print_json(scene, body, all, console.out) : print_table(all, console.out);
   } catch (const std::bad_alloc& error) {
     throw std::runtime_error(
