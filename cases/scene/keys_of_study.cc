@@ -91,6 +91,7 @@ const std::vector<KeyGroup>& study_keys() {
         {"check.at_most", "a number", "[0, 1000000]", "", "this or `at_least`",
          "the limit, in the metric's unit; of a table's column in [-1e15, 1e15]", "0.12"},
         {"check.at_least", "a number", "[0, 1000000]", "", "this or `at_most`", "likewise", ""},
+        {"check.profiles", "an array of 1 to 64 profiles", "", "", "all of them", "in which it is asked", ""},
         {"check.why", "a text of at most 1000 bytes", "", "", "required", "the reason for the limit",
          "\"10.5 %, bar 0.001 %; a seventh more is still below the 12.7 % of eigenmodes alone.\""}}},
       {"`[profile.quick]`, `[profile.standard]`, `[profile.full]`",

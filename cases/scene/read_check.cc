@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "cases/scene/nearest.h"
+#include "cases/scene/read_profile.h"
+#include "cases/scene/read_runs.h"
 #include "cases/scene/read_study.h"
 
 namespace mb {
@@ -76,6 +78,12 @@ void check_is_run(Section& section, const Check& check, const CheckContext& cont
     section.error("method", fmt::format("the study does not run method '{}'", check.method),
                   "'method' of a check is one of the methods in [study]");
   }
+}
+
+// All where none is named.
+std::vector<std::string> read_profiles(Section& section) {
+  if (!section.has("profiles")) return profile_names();
+  return values_of(read_unlike(section, "profiles", {profile_names(), "profile", "profiles"}));
 }
 
 std::optional<int> no_modes(Section& section, const std::optional<std::string>& method) {
@@ -194,8 +202,11 @@ bool read_table_check(Section& section, const CheckContext& context, const Vocab
 
 }  // namespace
 
-std::optional<Check> read_check(Section section, const CheckContext& context, const Vocabulary& vocabulary) {
+std::optional<Check> read_check(Section section, const CheckContext& scene, const Vocabulary& vocabulary) {
   Check check{};
+  check.profiles = read_profiles(section);
+  CheckContext context = scene;
+  if (!has(check.profiles, scene.profile)) context.study.reset();
   bool of_table = false;
   for (const char* key : {"table", "column", "row"}) of_table = section.has(key) || of_table;
   bool whole =

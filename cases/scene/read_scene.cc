@@ -121,10 +121,13 @@ void read_checks(Section& root, const CheckContext& context, const Vocabulary& v
   for (Section& section : root.sections("check", {0, 64})) {
     auto check = read_check(section, context, vocabulary);
     if (!check) continue;
-    if (!asked.insert(twin_key(*check)).second) {
-      section.findings().error(section.where(), "this check stands here twice");
+    bool is_new = true, is_asked = false;
+    for (const std::string& profile : check->profiles) {
+      is_new = asked.insert(profile + "\n" + twin_key(*check)).second && is_new;
+      is_asked = is_asked || profile == context.profile;
     }
-    scene.checks.push_back(std::move(*check));
+    if (!is_new) section.findings().error(section.where(), "this check stands here twice");
+    if (is_asked) scene.checks.push_back(std::move(*check));
   }
 }
 
@@ -176,7 +179,7 @@ Scene read_parts(Section root, const Context& context, const std::string& name) 
   }
   const bool has_runs = profile && (profile->has("modes") || profile->has("rival") || profile->has("stepping"));
   const std::string runs = has_runs ? fmt::format("profile {}", name) : "the study";
-  read_checks(root, {study, runs, truth.has_exact}, context.vocabulary, scene);
+  read_checks(root, {study, name, runs, truth.has_exact}, context.vocabulary, scene);
   if (profile) profile->finish();
   root.finish();
   if (!root.findings().empty()) return scene;

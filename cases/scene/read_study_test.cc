@@ -195,6 +195,31 @@ TEST(ReadProfile, runs_what_the_checks_ask_for) {
             std::string::npos);
 }
 
+TEST(ReadProfile, has_checks_of_its_own) {
+  const std::string check = R"(
+[[check]]
+method = "static-correction"
+metric = "displacement-error"
+truth = "same_mesh"
+modes = 32
+why = "For a test."
+)";
+  const std::string text = with_one_check(cylinder_text()) + check + "at_least = 1e-9\nprofiles = [\"quick\"]\n" +
+                           check + "at_least = 1e-6\nprofiles = [\"standard\", \"full\"]\n";
+  const size_t n = test::read(with_one_check(cylinder_text())).checks.size();
+  for (const char* profile : {"quick", "standard", "full"}) {
+    const auto checks = test::read(text, profile).checks;
+    ASSERT_EQ(checks.size(), n + 1) << profile;
+    EXPECT_EQ(checks.back().at_least, profile == std::string("quick") ? 1e-9 : 1e-6) << profile;
+  }
+}
+
+// What the study runs in one profile alone may be asked of that one.
+TEST(ReadProfile, is_asked_for_what_it_runs_itself) {
+  const std::string text = with_one_check(with_profile("modes = [31]"));
+  EXPECT_EQ(problems_of_text(with(text, "modes   = 32\n", "modes   = 32\nprofiles = [\"standard\", \"full\"]\n")), "");
+}
+
 TEST(ReadCheck, of_a_table_names_a_column_and_perhaps_a_row) {
   const std::string text = with(with_one_check(cylinder_text()), "[study]\n", "[study]\nanalyses = [\"budget\"]\n");
   const auto check = test::read(text + R"(

@@ -203,10 +203,11 @@ struct Check {
   int modes;                          // 0 for methods that take no mode count
   std::optional<double> at_most, at_least;
   std::string why;
-  std::string rotation = {};             // the coupling, or "": of all in the study
-  std::string integrator = {};           // or "": the closed form, and of full order all
-  std::optional<double> time_step = {};  // [s] of fixed steps; nothing: all
-  std::string status = {};               // what all of the runs must end in, "unstable"; "": as metric and bound say
+  std::string rotation = {};               // the coupling, or "": of all in the study
+  std::string integrator = {};             // or "": the closed form, and of full order all
+  std::optional<double> time_step = {};    // [s] of fixed steps; nothing: all
+  std::vector<std::string> profiles = {};  // in which it is asked
+  std::string status = {};                 // what all of the runs must end in, "unstable"; "": as metric and bound say
 };
 std::string runs_of(const Check& check);  // "eigenmodes r=16 newmark dt=0.001 s"; "" of a table
 

@@ -68,7 +68,7 @@ TEST(OutputCases, ModesSayHowManyShareAFrequency) {
   const Said said = modalbench(scratch.path(), {"modes", "small.toml", "--count", "12", "--json"});
   ASSERT_EQ(said.code, 0) << said.err;
   const Json json = parse_json(said.out);
-  EXPECT_EQ(json["schema"], 2);
+  EXPECT_EQ(json["schema"], 3);
   int n_pairs = 0, n_single = 0;
   for (const Json& mode : json["modes"]) {
     if (mode["kind"] == "rigid")
