@@ -38,6 +38,17 @@ TEST(Resolution, compares_and_prints) {
   EXPECT_EQ(to_string(Resolution{2, {3}}), "Q2 3");
 }
 
+TEST(Resolution, of_a_whole_scene_becomes_the_bodies_own) {
+  const Scene scene = test::read(test::content(test::cases_folder() / "ball-on-two-by-four.toml"));
+  ASSERT_GT(scene.bodies.size(), 1u);
+  ASSERT_FALSE(own_meshes(scene) == scene.truth.finer);
+  EXPECT_EQ(own_meshes(on_meshes(scene, scene.truth.finer)), scene.truth.finer);
+  EXPECT_EQ(own_meshes(on_meshes(scene, own_meshes(scene))), own_meshes(scene));
+  Resolution of_one = scene.truth.finer;
+  of_one.others.clear();
+  EXPECT_THROW(on_meshes(scene, of_one), std::out_of_range);
+}
+
 TEST(Canonical, depends_on_all_that_determines_a_run) {
   const std::string text = test::cylinder_text();
   const std::string original = canonical(test::read(text));

@@ -204,19 +204,23 @@ TEST_F(AnalysesCases, PeaksOfFrequencyResponsesHaveBarsOfTheMesh) {
   }
 }
 
-// Whatever follows from the mesh of the body, in the first row: another mesh of the case moves it by less than half.
+// Whatever follows from the mesh of the body, in the first row: another mesh of the case moves it, by less than half.
 TEST_F(AnalysesCases, WhatFollowsFromTheMeshHasABarOfIt) {
-  const std::tuple<const char*, const char*> told[] = {
-      {"damping", "frequency"},           {"damping", "zeta by decay"},          {"mode-amplitudes", "frequency"},
-      {"mode-amplitudes", "fixed force"}, {"aliasing-modes", "frequency"},       {"frequency-response", "amplitude"},
-      {"frequency-response", "phase"},    {"frequency-response-error", "error"}, {"probe-extremes", "static"}};
+  const std::tuple<const char*, const char*> told[] = {{"damping", "frequency"},
+                                                       {"mode-amplitudes", "frequency"},
+                                                       {"mode-amplitudes", "fixed force"},
+                                                       {"aliasing-modes", "frequency"},
+                                                       {"frequency-response", "amplitude"},
+                                                       {"frequency-response", "phase"},
+                                                       {"frequency-response-error", "error"},
+                                                       {"probe-extremes", "static"}};
   for (const auto& [name, column] : told) {
     const Row row = rows(name).front();
     const auto j = static_cast<size_t>(std::ranges::find(row.table->columns, column, &FindingColumn::name) -
                                        row.table->columns.begin());
     ASSERT_EQ(row.table->bars.size(), row.table->rows.size()) << name;
     const double value = std::abs(row.number(column)), bar = row.table->bars.front().at(j);
-    EXPECT_TRUE(bar >= 0 && bar < 0.5 * value) << name << ", " << column << ": " << value << " +- " << bar;
+    EXPECT_TRUE(bar > 0 && bar < 0.5 * value) << name << ", " << column << ": " << value << " +- " << bar;
   }
 }
 

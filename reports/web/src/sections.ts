@@ -2,13 +2,19 @@
 import { byId, make } from './dom';
 import type { Report } from './report';
 
-// Sections by name. Buttons, as the hash keeps what the reader chose.
+// Sections by name, those that the case shown has. Buttons, as the hash keeps what the reader chose.
 export function drawContents(): void {
   const sections = [...document.querySelectorAll<HTMLElement>('main section')].filter((one) => one.id !== 'verdict');
   const buttons = sections.map((section) => {
     const button = make('button', { type: 'button', class: 'link' }, section.querySelector('h2')?.textContent ?? '');
     button.addEventListener('click', () => section.scrollIntoView());
-    return make('li', {}, button);
+    const item = make('li', {}, button);
+    const follow = (): void => {
+      item.hidden = section.hidden;
+    };
+    follow();
+    new MutationObserver(follow).observe(section, { attributes: true, attributeFilter: ['hidden'] });
+    return item;
   });
   byId('contents').append(make('ul', {}, ...buttons));
 }

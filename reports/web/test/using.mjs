@@ -57,6 +57,25 @@ async function restoresTheView({ page, open, isReady }) {
   await open();
 }
 
+// Whatever the contents name is on the page, and they lead there.
+async function leadsToSections({ page }) {
+  const shown = await page.$$eval('main section:not([hidden]):not(#verdict)', (all) =>
+    all.filter((one) => one.offsetParent).map((one) => one.querySelector('h2').textContent),
+  );
+  const buttons = await page.locator('#contents li:not([hidden]) button').all();
+  assert.deepEqual(await Promise.all(buttons.map((button) => button.textContent())), shown);
+  assert.ok(buttons.length > 3);
+  for (const button of buttons) {
+    await button.click();
+    const at = await page.evaluate((name) => {
+      const heading = [...document.querySelectorAll('main section:not([hidden]) h2')];
+      return heading.find((one) => one.textContent === name).getBoundingClientRect().top / innerHeight;
+    }, await button.textContent());
+    assert.ok(at >= 0 && at < 1, `${await button.textContent()} at ${at} of the window`);
+  }
+  await page.evaluate(() => scrollTo(0, 0));
+}
+
 async function downloads({ page, saved, areDrawn }) {
   await areDrawn();
   const buttons = await page.locator('button[data-format]').all();
@@ -118,6 +137,7 @@ export const steps = [
   ['it opens on the case whose speed-up is the median', opensOnTheMedian],
   ['selectors change plots and hash', selects],
   ['the hash restores the view', restoresTheView],
+  ['contents lead to the sections that are shown', leadsToSections],
   ['every download yields a file', downloads],
   ['a point names its contender', namesAPoint],
   ['works by keyboard alone', worksByKeyboard],
