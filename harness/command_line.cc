@@ -9,6 +9,7 @@
 
 #include "cases/scene/printable.h"
 #include "harness/commands/bytes.h"
+#include "harness/commands/command_again.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
 #include "harness/instruction_counter.h"
@@ -25,14 +26,14 @@ namespace mb {
 namespace {
 
 int run_until_interrupted(const RunCommandOptions& options, const Catalogue& catalogue, const Console& console) {
-  const Interruptible while_it_runs;
+  const Interruptible while_it_runs(words_of_interruption(options));
   return run_command(options, catalogue, console);
 }
 
 // The child that counts ends by the signal itself, and this one with what it has made.
 int count_until_interrupted(const CountOptions& options, const Catalogue& catalogue, const Console& console) {
   if (is_counting()) return count_command(options, catalogue, console);
-  const Interruptible while_it_counts;
+  const Interruptible while_it_counts("interrupted\n");
   try {
     return count_command(options, catalogue, console);
   } catch (const std::runtime_error&) {

@@ -1,8 +1,11 @@
 // Ends a run in good order on Ctrl-C, on SIGTERM and where its terminal is closed: the first such signal is told,
-// passed on to the run's processes (study/processes.h) and asked for between jobs, the second ends the program at once.
+// passed on to the run's processes (study/processes.h) and asked for between jobs. Where a job takes longer than
+// `patience`, or at a second signal, the program ends at once with its last words: what is finished is kept, what is
+// under way is lost, as a store has nothing half-written (store/store.h).
 #pragma once
 
 #include <array>
+#include <string>
 
 namespace mb {
 
@@ -10,7 +13,9 @@ namespace mb {
 // time.
 class Interruptible {
  public:
-  Interruptible();
+  static constexpr unsigned patience = 5;  // [s] schedulers kill some ten after they have asked
+
+  explicit Interruptible(const std::string& last_words);  // to the error output; up to 64 KB of them
   ~Interruptible();
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;

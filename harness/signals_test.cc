@@ -5,12 +5,20 @@
 #include <csignal>
 
 #include "harness/faults_test.h"
+#include "harness/interruptible.h"
 
 namespace mb {
 namespace {
 
 using namespace faults;
 using ::testing::HasSubstr;
+
+// Whether none is left within five seconds.
+bool all_end(const std::vector<pid_t>& processes) {
+  const auto any_left = [&] { return std::ranges::any_of(processes, is_running); };
+  for (int i = 0; i < 500 && any_left(); ++i) ::usleep(10'000);
+  return !any_left();
+}
 
 TEST(SignalCases, CtrlCEndsAProcessCleanly) {
   for (const char* jobs : {"1", "2"}) {
@@ -49,6 +57,28 @@ TEST(SignalCases, WhatEndsTheFirstProcessEndsAllCleanly) {
       for (const pid_t child : children) EXPECT_FALSE(is_running(child));
       expect_sound(scratch / "results");
     }
+}
+
+// Runs of a minute each, whose end nobody waits for: one signal is enough, and the last words are those of a good end.
+TEST(SignalCases, WhatTakesLongIsNotWaitedFor) {
+  for (const char* jobs : {"1", "2"}) {
+    const ScratchFolder scratch;
+    written(scratch / "case.toml", with_rivals(2, "[2, 4]", "1e-6, 1.1e-6"));
+    Process process(scratch.path(), run_with({"--jobs", jobs}));
+    const auto runs_are_begun = [&] {
+      return *jobs == '2' ? process.children().size() == 2 : process.err().find("[1/") != std::string::npos;
+    };
+    while (!process.ends_within(0.01) && !runs_are_begun()) continue;
+    ASSERT_FALSE(process.ends_within(2)) << process.err();  // by then what is short has been
+    const std::vector<pid_t> children = process.children();
+    process.send(SIGTERM);
+    EXPECT_FALSE(process.ends_within(1)) << "nothing long was under way";
+    EXPECT_TRUE(process.ends_within(Interruptible::patience + 10)) << jobs;  // of a busy machine
+    EXPECT_EQ(process.code(), 130) << process.err();
+    EXPECT_THAT(process.err(), HasSubstr("interrupted; what is finished is kept. To go on:\n  modalbench run"));
+    EXPECT_TRUE(all_end(children));
+    expect_sound(scratch / "results");
+  }
 }
 
 // A program named valgrind that says that it runs and never ends: `count` and an analysis of `run` pass on what ends
@@ -99,9 +129,7 @@ TEST(SignalCases, NoProcessOutlivesTheFirst) {
   ASSERT_EQ(children.size(), 2u) << process.err();
   process.send(SIGKILL);
   EXPECT_EQ(process.code(), -SIGKILL);
-  const auto any_left = [&] { return std::ranges::any_of(children, is_running); };
-  for (int i = 0; i < 500 && any_left(); ++i) ::usleep(10'000);
-  EXPECT_FALSE(any_left());
+  EXPECT_TRUE(all_end(children));
   for (const pid_t child : children) ::kill(child, SIGKILL);
   expect_sound(scratch / "results");
 }

@@ -28,17 +28,19 @@ struct Total {
 
 // Every case that is found, and the files given, in every profile. A wrong file's results are of an unknown case.
 std::vector<Scene> known_scenes(const CleanOptions& options, const Catalogue& catalogue, std::ostream& err) {
-  std::set<fs::path> files;
-  for (const auto& file : all_cases()) files.insert(file);
-  for (const auto& name : options.cases) files.insert(find_case(name));
+  std::vector<std::string> files = options.cases;
+  for (const auto& file : all_cases()) files.push_back(file.string());
   std::vector<Scene> scenes;
-  for (const auto& file : files) try {
+  NamedFiles named;
+  for (const auto& file : find_cases(files)) try {
       for (const char* profile : {"quick", "standard", "full"})
         scenes.push_back(read_toml(file, catalogue.vocabulary(), profile));
+      named.emplace_back(scenes.back().name, file);
     } catch (const CaseErrors&) {
-      if (std::find(options.cases.begin(), options.cases.end(), file) != options.cases.end()) throw;
+      if (std::ranges::any_of(options.cases, [&](const auto& name) { return find_case(name) == file; })) throw;
       fmt::print(err, "{} is no valid case: its results are kept\n", printable(file.string(), most_shown));
     }
+  require_names_of_their_own(named);
   return scenes;
 }
 

@@ -1,8 +1,13 @@
 #include "harness/commands/find_cases.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "cases/scene/nearest.h"
+#include "cases/scene/printable.h"
 
 namespace mb {
 
@@ -14,6 +19,13 @@ std::filesystem::path case_folder() {
   for (const auto& folder : {std::filesystem::path("cases"), program / "../share/modalbench/cases"})
     if (std::filesystem::is_directory(folder, ignored)) return folder.lexically_normal();
   return {};
+}
+
+// One name for whatever leads to a file.
+std::filesystem::path identity_of(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto path = std::filesystem::weakly_canonical(file, error);
+  return error ? file : path;
 }
 
 }  // namespace
@@ -42,6 +54,30 @@ std::filesystem::path find_case(const std::string& name_or_file) {
     throw UnknownCase("unknown case '" + name_or_file +
                       "': no case files in folder 'cases' here or beside the program");
   throw UnknownCase("unknown case '" + name_or_file + "'; " + suggestion(name_or_file, names, "cases"));
+}
+
+std::vector<std::filesystem::path> find_cases(const std::vector<std::string>& names_or_files) {
+  std::vector<std::filesystem::path> files;
+  std::set<std::filesystem::path> known;
+  for (const auto& name : names_or_files) {
+    const auto file = find_case(name);
+    if (known.insert(identity_of(file)).second) files.push_back(file);
+  }
+  return files;
+}
+
+void require_names_of_their_own(const NamedFiles& files) {
+  constexpr std::size_t most_shown = 4096;  // [characters] of a path
+  std::map<std::string, std::filesystem::path> first;
+  std::string shared;
+  for (const auto& [name, file] : files) {
+    const auto& other = first.try_emplace(name, file).first->second;
+    if (identity_of(other) == identity_of(file)) continue;
+    shared += fmt::format("{}{} and {} are both named '{}'", shared.empty() ? "" : "; ",
+                          printable(other.string(), most_shown), printable(file.string(), most_shown), name);
+  }
+  if (!shared.empty())
+    throw UsageError(shared + ": results are kept by the name of their case; give each a name of its own");
 }
 
 }  // namespace mb

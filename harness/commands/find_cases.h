@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "harness/commands/usage_error.h"
@@ -20,5 +21,13 @@ std::vector<std::filesystem::path> all_cases();
 
 // A file (ends in .toml) as it is, a name by its file. Throws UnknownCase.
 std::filesystem::path find_case(const std::string& name_or_file);
+// Each file once, however it was named: by a link, twice.
+std::vector<std::filesystem::path> find_cases(const std::vector<std::string>& names_or_files);
+
+// Files by the names that they state.
+using NamedFiles = std::vector<std::pair<std::string, std::filesystem::path>>;
+// Results are kept by the name of their case: of two files of one name, each would be told what is the other's. Throws
+// UsageError, which tells all of them.
+void require_names_of_their_own(const NamedFiles& files);
 
 }  // namespace mb

@@ -18,12 +18,11 @@ namespace {
 
 // The scenes of the files given, by their names.
 std::map<std::string, std::filesystem::path> files_given(const ReportOptions& options, const Catalogue& catalogue) {
-  std::map<std::string, std::filesystem::path> files;
-  for (const std::string& name : options.cases) {
-    const auto file = find_case(name);
-    files[read_toml(file, catalogue.vocabulary()).name] = file;
-  }
-  return files;
+  NamedFiles files;
+  for (const auto& file : find_cases(options.cases))
+    files.emplace_back(read_toml(file, catalogue.vocabulary()).name, file);
+  require_names_of_their_own(files);
+  return {files.begin(), files.end()};
 }
 
 struct Known {
@@ -85,6 +84,8 @@ std::string likely_file(const std::string& name) {
 // Where results are stored but none of them can be reported: why, and what helps. A report would say that there are
 // none.
 std::string nothing_to_report(const Known& known, const ReportOptions& options) {
+  if (known.stored.empty())
+    return "nothing to report: '" + options.store + "' holds no records; modalbench run makes them";
   if (!known.not_found.empty())
     return fmt::format("nothing to report: no case file is found by the name {}; name the file: modalbench report {}{}",
                        fmt::join(quoted(known.not_found), ", "), likely_file(known.not_found.front()),
@@ -105,7 +106,7 @@ int report_command(const ReportOptions& options, const Catalogue& catalogue, con
   ReportInput input{{}, {}, known.scenes, {}, meanings()};
   StoredResults stored = current_records(store, input.scenes);
   print_left_out(stored, options.quiet, console.err);
-  if (!known.stored.empty() && stored.records.empty() && stored.findings.empty())
+  if (stored.records.empty() && stored.findings.empty())
     throw UsageError(nothing_to_report(known, options));
   input.records = std::move(stored.records);
   input.findings = std::move(stored.findings);

@@ -80,6 +80,34 @@ TEST(ReportCommandTest, WhereNothingStoredCanBeReportedTheRemedyIsNamed) {
   EXPECT_FALSE(fs::exists(scratch / "report"));
 }
 
+// Nor is a store without its records one of a case that states no check.
+TEST(ReportCommandTest, AStoreWithoutRecordsIsNoReport) {
+  const ScratchFolder scratch;
+  const fs::path file = written(scratch / "small.toml", small_case());
+  write_mark(file, scratch / "results");
+  fs::remove_all(scratch / "results/records");
+  const Said said = modalbench(scratch.path(), {"report", "small.toml"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("nothing to report: 'results' holds no records"));
+  EXPECT_FALSE(fs::exists(scratch / "report"));
+}
+
+// Each would be told what was measured of the other.
+TEST(ReportCommandTest, TwoFilesOfOneNameAreRefusedByAllCommands) {
+  const ScratchFolder scratch;
+  written(scratch / "one.toml", small_case());
+  written(scratch / "two.toml", small_case("0.4"));
+  fs::create_symlink("one.toml", scratch / "link.toml");
+  fs::create_directory(scratch / "results");
+  for (const char* command : {"check", "run", "report", "clean"}) {
+    const Said said = modalbench(scratch.path(), {command, "one.toml", "two.toml"});
+    EXPECT_EQ(said.code, 2) << command;
+    EXPECT_THAT(said.err, HasSubstr("one.toml and two.toml are both named 'small'")) << command;
+  }
+  EXPECT_TRUE(fs::is_empty(scratch / "results"));
+  EXPECT_EQ(modalbench(scratch.path(), {"check", "one.toml", "./one.toml", "link.toml"}).code, 0);
+}
+
 TEST(ReportCommandTest, OpenShowsThePageOrSaysWhyNot) {
   const ScratchFolder scratch;
   write_mark(written(scratch / "small.toml", small_case()), scratch / "results");

@@ -1,13 +1,10 @@
 #include <fmt/ostream.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cstring>
 #include <memory>
-#include <set>
 
 #include "cases/scene/printable.h"
+#include "harness/commands/command_again.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/find_cases.h"
 #include "harness/commands/plan_table.h"
@@ -29,31 +26,21 @@ namespace {
 
 using Scenes = std::vector<std::shared_ptr<const Scene>>;
 
-// Each once, however it was named.
-std::vector<std::filesystem::path> files_of(const std::vector<std::string>& names) {
-  std::vector<std::filesystem::path> files;
-  std::set<std::filesystem::path> known;
-  for (const auto& name : names) {
-    const auto file = find_case(name);
-    std::error_code error;
-    const auto path = std::filesystem::weakly_canonical(file, error);
-    if (known.insert(error ? file : path).second) files.push_back(file);
-  }
-  return files;
-}
-
 Scenes scenes_of(const RunCommandOptions& options, const Catalogue& catalogue) {
   const Overrides overrides(options.overrides, catalogue.vocabulary());
-  const auto files = options.cases.empty() ? all_cases() : files_of(options.cases);
+  const auto files = options.cases.empty() ? all_cases() : find_cases(options.cases);
   std::vector<Diagnostic> problems;  // of all files at once
   Scenes scenes;
+  NamedFiles named;
   for (const auto& file : files) try {
       scenes.push_back(
           std::make_shared<Scene>(overrides.applied(read_toml(file, catalogue.vocabulary(), options.profile))));
+      named.emplace_back(scenes.back()->name, file);
     } catch (const CaseErrors& errors) {
       problems.insert(problems.end(), errors.diagnostics().begin(), errors.diagnostics().end());
     }
   if (!problems.empty()) throw CaseErrors(problems);
+  require_names_of_their_own(named);
   // Named cases run in any profile.
   if (options.cases.empty())
     std::erase_if(scenes, [&](const auto& scene) { return std::ranges::count(scene->runs_in, options.profile) == 0; });
@@ -195,41 +182,6 @@ void run_in_parallel(const Scenes& scenes, const Catalogue& catalogue, const Sto
   }
 }
 
-// Within $'...', byte by byte: no terminal is told what a file's name says.
-std::string escaped(const std::string& word) {
-  std::string text;
-  for (const unsigned char c : word)
-    text += std::isalnum(c) ? std::string(1, static_cast<char>(c)) : fmt::format("\\x{:02x}", c);
-  return text;
-}
-
-// A word as a shell takes it back.
-std::string shell_word(const std::string& word) {
-  const auto is_plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("-_./=,:+@%", c) != nullptr; };
-  if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
-  if (unprintable(word)) return "$'" + escaped(word) + "'";
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-std::string command_again(const RunCommandOptions& options) {
-  std::vector<std::string> words{"modalbench", "run"};
-  const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
-  for (const auto& name : options.cases) add({name});
-  if (options.profile != "quick") add({"--profile", options.profile});
-  if (options.store != "results") add({"--store", options.store});
-  for (const auto& assignment : options.overrides) add({"--set", assignment});
-  if (options.shard != "1/1") add({"--shard", options.shard});
-  if (options.jobs != 1) add({"--jobs", std::to_string(options.jobs)});
-  if (options.threads != 1) add({"--threads", std::to_string(options.threads)});
-  if (options.untimed) add({"--untimed"});
-  if (options.again) add({"--again"});
-  if (options.quiet) add({"--quiet"});
-  for (std::string& word : words) word = shell_word(word);
-  return fmt::format("{}", fmt::join(words, " "));
-}
-
 }  // namespace
 
 int run_command(const RunCommandOptions& options, const Catalogue& catalogue, const Console& given) {
@@ -253,8 +205,7 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
   const Outcome outcome = run_all(scenes, catalogue, store, how, console);
   for (const RefusedLine& line : store.rebuild_results()) fmt::print(console.err, "left out: {}\n", to_string(line));
   if (outcome.interrupted) {
-    const char* const then = options.again ? "To start over, as --again says" : "To go on";
-    fmt::print(console.err, "interrupted; what is finished is kept. {}:\n  {}\n", then, command_again(options));
+    fmt::print(console.err, "{}", words_of_interruption(options));
     return 130;
   }
   if (!shard->whole()) return outcome.n_failed > 0 ? 3 : 0;  // checks are of the whole
