@@ -3,10 +3,9 @@
 #include <tuple>
 
 #include "reports/case_words.h"
-#include "reports/energy_warnings.h"
-#include "reports/linear_warnings.h"
 #include "reports/number.h"
 #include "reports/views.h"
+#include "reports/warnings.h"
 #include "reports/words.h"
 
 namespace mb {
@@ -120,9 +119,8 @@ std::vector<std::string> truth_sentences(const Evaluation& evaluation, const Sce
   }
   std::vector<std::string> sentences;
   for (const auto& [key, sentence] : said) sentences.push_back(sentence);
-  for (const auto& of : {linear_warnings, energy_warnings})
-    for (const std::string& warning : of(evaluation.input.records, scene))
-      sentences.push_back("Warning: " + warning + ".");
+  for (const std::string& warning : warnings(evaluation.input.records, scene))
+    sentences.push_back("Warning: " + warning + ".");
   return sentences;
 }
 

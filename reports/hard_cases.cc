@@ -4,6 +4,7 @@
 #include <set>
 
 #include "cases/contract/status.h"
+#include "reports/warnings.h"
 #include "reports/words.h"
 
 namespace mb {
@@ -49,6 +50,8 @@ Sheet hard_cases_table(const Evaluation& evaluation) {
                   "Cases that are there to break something. Verdict: of the case's own checks; `open` where an "
                   "error bar decides nothing. Unstable: runs past the limit of their step, which grew, or by theory "
                   "alone grow tenfold where there is anything to grow: found and named, no number of theirs is stored. "
+                  "Warnings: of strain or rotation beyond linear theory and of steps in contact that gain more than a "
+                  "tenth of the energy in play, told under the case; a check decides only on what it names. "
                   "A check that asks for an unstable run holds where growth is seen.",
               .columns = {},
               .rows = {},
@@ -59,6 +62,7 @@ Sheet hard_cases_table(const Evaluation& evaluation) {
                    {"checks that hold", ""},
                    {"unstable runs", "", Column::Kind::number},
                    {"failed runs", "", Column::Kind::number},
+                   {"warnings", "", Column::Kind::number},
                    {"verdict", ""}};
   for (const Scene& scene : evaluation.input.scenes) {
     if (scene.hard.empty()) continue;
@@ -67,6 +71,7 @@ Sheet hard_cases_table(const Evaluation& evaluation) {
         {text_cell(scene.name), text_cell(scene.profile), text_cell(scene.hard),
          text_cell(std::to_string(checks.hold) + " of " + std::to_string(checks.hold + checks.open + checks.fail)),
          count_cell(runs_with(evaluation, scene, &blew_up)), count_cell(runs_with(evaluation, scene, &is_failed)),
+         count_cell(static_cast<long>(warnings(evaluation.input.records, scene).size())),
          text_cell(verdict_of(checks))});
   }
   return table;

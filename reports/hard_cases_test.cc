@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cases/scene/one_body.h"
+#include "reports/verdict.h"
 #include "reports/verification.h"
 
 namespace mb {
@@ -70,6 +73,22 @@ TEST(HardCases, AreThoseThatSayWhatIsHardWithTheVerdictOfTheirChecks) {
   EXPECT_EQ(table.rows[0][3].text, "1 of 1");
   EXPECT_EQ(table.rows[0][4].text, "1") << "unstable";
   EXPECT_EQ(table.rows[0][5].text, "1") << "failed";
+  EXPECT_EQ(table.rows[0][6].text, "0") << "warnings";
+}
+
+// They change no verdict, and are told beside it.
+TEST(HardCases, WarningsStandBesideTheVerdict) {
+  ReportInput warned = input(0.001, 1e-4);
+  Record gain = record("hard", 1.45, 0);
+  gain.metric = "energy-gain";
+  warned.records.push_back(gain);
+  const Evaluation evaluation = evaluate(warned);
+  const Sheet table = hard_cases_table(evaluation);
+  EXPECT_EQ(table.rows[0][6].text, "1");
+  EXPECT_EQ(table.rows[0][7].text, "holds");
+  const std::vector<std::string> sentences = verdict_of(evaluation).sentences;
+  EXPECT_TRUE(std::ranges::any_of(
+      sentences, [](const std::string& one) { return one.starts_with("1 warning in 1 case (hard), told there:"); }));
 }
 
 TEST(VerificationTable, NamesReferenceUncertaintyToleranceReasonAndResult) {

@@ -86,7 +86,7 @@ TEST(Canonical, depends_on_all_that_a_scene_with_contact_states) {
       {"damping   = 0.1", "damping = 0.2"},
       {"coefficient = 0.3", "coefficient = 0.4"},
       {"slip_speed = 1e-3", "slip_speed = 2e-3"},
-      {"graded = 4 }\ncoarser", "graded = 2 }\ncoarser"},
+      {"graded = 4 }\ncoarser", "graded = 5 }\ncoarser"},
   };
   for (const auto& [passage, replacement] : changes) {
     EXPECT_NE(canonical(test::read(with(text, passage, replacement))), original) << replacement;

@@ -8,10 +8,12 @@ const std::vector<KeyGroup>& study_keys() {
       {"`[truth]`",
        {{"truth.relative_tolerance", "a number", "[1e-12, 0.01]", "", "required",
          "of the adaptive integration; error bars take a hundredth of it", "1e-6"},
-        {"truth.finer", "a table", "", "", "required", "the mesh of the truth `finer`; not the body's own",
+        {"truth.finer", "a table", "", "", "required",
+         "the mesh of the truth `finer`; finer than the bodies' own and `coarser`",
          "{ degree = 3, cells = [2, 2, 4] }"},
         {"truth.coarser", "a table", "", "", "required",
-         "its distance to `finer` is the discretisation bar; not `finer` itself", "{ degree = 3, cells = [2, 2, 3] }"},
+         "its distance to `finer` is the discretisation bar, which holds where errors at least halve between the two",
+         "{ degree = 2, cells = [2, 2, 4] }"},
         {"truth.exact", "a closed form", "", "", "none",
          "the truth `exact`: rod-step, sphere-radial-pulse, timoshenko-impact, zener-impact, rod-on-wall or "
          "hertz-impact, "

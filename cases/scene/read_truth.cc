@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "cases/scene/closed_form.h"
 #include "cases/scene/read_mesh.h"
+#include "cases/scene/resolution.h"
 
 namespace mb {
 
@@ -53,22 +55,59 @@ std::optional<Resolution> own_meshes(const std::vector<BodyDraft>& bodies) {
   return all;
 }
 
+// Degrees of freedom of all bodies; nothing where one could not be read or is graded, of which an upper bound is known.
+std::optional<double> n_dofs_of_all(const std::vector<BodyDraft>& bodies, const Resolution& all) {
+  double n = 0;
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    const Resolution& mesh = i == 0 ? all : all.others.at(i - 1);
+    if (!bodies[i].shape || !bodies[i].theory || mesh.graded > 0) return {};
+    n += n_dofs(*bodies[i].shape, mesh, *bodies[i].theory);
+  }
+  return n;
+}
+
+// Degree, cells and grading of each body at most those of the other, which is no less even.
+bool is_nowhere_finer(const Resolution& mesh, const Resolution& other) {
+  return mesh.degree <= other.degree && std::ranges::equal(mesh.cells, other.cells, std::less_equal{}) &&
+         mesh.graded <= other.graded && mesh.bias == other.bias && mesh.distorted == other.distorted &&
+         std::ranges::equal(mesh.others, other.others, is_nowhere_finer);
+}
+
+// A truth on a mesh that is no better than what it judges, or what its bar comes from, is none.
+void check_is_finer(const Mesh& finer, const Resolution& other, const std::string& its_name, const Position& where,
+                    const std::vector<BodyDraft>& bodies, Findings& findings) {
+  const auto n = n_dofs_of_all(bodies, *finer.resolution), n_other = n_dofs_of_all(bodies, other);
+  if (is_nowhere_finer(*finer.resolution, other))
+    findings.error(where, "'finer' is nowhere finer than " + its_name);
+  else if (n && n_other && *n < *n_other)
+    findings.error(where, fmt::format("'finer' has {:.0f} degrees of freedom, and {} {:.0f}: it must have more", *n,
+                                      its_name, *n_other));
+}
+
 // Errors stand at what the profile states, where it does.
 void check_meshes(const Mesh& finer, const Mesh& coarser, std::optional<Section>& profile,
                   const std::vector<BodyDraft>& bodies, Findings& findings) {
+  if (!finer.resolution) return;
   const std::optional<Resolution> own = own_meshes(bodies);
   const bool own_finer = profile && profile->has("finer");
-  if (finer.resolution && coarser.resolution && *finer.resolution == *coarser.resolution) {
+  if (coarser.resolution) {
     const bool own_coarser = profile && profile->has("coarser");
-    findings.error(own_finer && !own_coarser ? finer.where : coarser.where,
-                   "'coarser' equals 'finer': their distance is the error bar, and would be 0");
+    const Position& where = own_finer && !own_coarser ? finer.where : coarser.where;
+    if (*finer.resolution == *coarser.resolution)
+      findings.error(where, "'coarser' equals 'finer': their distance is the error bar, and would be 0");
+    else
+      check_is_finer(finer, *coarser.resolution, "'coarser'", where, bodies, findings);
   }
-  if (finer.resolution && own && *finer.resolution == *own) {
-    const bool own_mesh = profile && profile->has("resolution") && !own_finer;
-    findings.error(own_mesh ? profile->where("resolution") : finer.where,
-                   fmt::format("'finer' is the mesh of body '{}' itself: truth same_mesh has that one",
-                               bodies.front().name.value_or("")));
-  }
+  if (!own) return;
+  const bool own_mesh = profile && profile->has("resolution") && !own_finer;
+  const Position where = own_mesh ? profile->where("resolution") : finer.where;
+  const std::string name = bodies.front().name.value_or("");
+  if (*finer.resolution == *own)
+    findings.error(where, fmt::format("'finer' is the mesh of body '{}' itself: truth same_mesh has that one", name));
+  else
+    check_is_finer(finer, *own,
+                   bodies.size() > 1 ? "the bodies' own meshes" : fmt::format("the mesh of body '{}'", name), where,
+                   bodies, findings);
 }
 
 }  // namespace

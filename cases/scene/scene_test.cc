@@ -71,7 +71,7 @@ TEST(Canonical, depends_on_all_that_determines_a_run) {
       {"frame_rate         = 60", "frame_rate = 30"},
       {"samples_per_second = 600", "samples_per_second = 1200"},
       {"relative_tolerance = 1e-6", "relative_tolerance = 1e-7"},
-      {"finer   = { degree = 4", "finer = { degree = 2"},
+      {"finer   = { degree = 4, cells = [2, 4]", "finer = { degree = 4, cells = [2, 8]"},
       {"coarser = { degree = 3", "coarser = { degree = 2"},
       {"[body.resolution]", "[[body.support]]\nkind = \"mean\"\nface = \"side\"\n[body.resolution]"},
       {"[body.resolution]", "[[body.support]]\nkind = \"diaphragm\"\nface = \"z-min\"\n[body.resolution]"},

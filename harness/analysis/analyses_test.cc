@@ -79,10 +79,14 @@ time_steps = [1e-3, 1e-5]
 struct Row {
   const Finding* table;
   const std::vector<FindingCell>* cells;
-  const FindingCell& operator[](const std::string& column) const {
+  size_t index(const std::string& column) const {
     for (size_t i = 0; i < table->columns.size(); ++i)
-      if (table->columns[i].name == column) return cells->at(i);
+      if (table->columns[i].name == column) return i;
     throw std::out_of_range("no column '" + column + "' in " + table->name);
+  }
+  const FindingCell& operator[](const std::string& column) const { return cells->at(index(column)); }
+  double bar(const std::string& column) const {
+    return table->bars.at(static_cast<size_t>(cells - table->rows.data())).at(index(column));
   }
   double number(const std::string& column) const { return std::get<double>((*this)[column]); }
   std::string text(const std::string& column) const { return std::get<std::string>((*this)[column]); }
@@ -147,6 +151,22 @@ TEST_F(AnalysesCases, StepLimitsAreThoseOfTheory) {
   }
   EXPECT_EQ(runs, static_cast<double>(rows("step-limit-runs").size()));
   EXPECT_EQ(rows("step-limit-summary").back().number("runs"), runs);
+}
+
+// A mesh moves a frequency, and the limit with it; that of full order is the mesh's own.
+TEST_F(AnalysesCases, StepLimitsOfModesHaveTheBarsOfTheirMesh) {
+  for (const Row& row : rows("step-limits"))
+    if (row.text("system") == "reduced") {
+      const double of_omega = row.bar("omega deciding") / row.number("omega deciding");
+      EXPECT_GT(of_omega, 1e-6);
+      EXPECT_LT(of_omega, 0.5);
+      EXPECT_GT(row.bar("omega max"), 0);
+      if (row.number("dt measured") > 0 && std::isfinite(row.number("dt measured"))) {
+        EXPECT_NEAR(row.bar("dt measured") / row.number("dt measured"), of_omega, 1e-12);
+      }
+    } else {
+      EXPECT_TRUE(std::isnan(row.bar("dt measured")));
+    }
 }
 
 TEST_F(AnalysesCases, EveryModeIsDampedAsTheSceneAsks) {

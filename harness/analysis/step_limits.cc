@@ -26,9 +26,18 @@ struct Subject {
   VectorXd omega, zeta;  // modes looked at; of full order the lowest and the highest
   std::function<std::optional<SteppedMode>(Index)> mode;
   long most_steps;
+  VectorXd off;  // [-] of omega on another mesh, relative: bars; of full order none, as its limit is that mesh's own
 };
 
-Subject reduced_subject(const ModalBody& body, int r) {
+// Relative, NaN where the other mesh has no such mode; rounding of K and M added.
+VectorXd distance_of_frequencies(const Modes& modes, const VectorXd& omega, const VectorXd& on_another_mesh) {
+  VectorXd off = VectorXd::Constant(omega.size(), nan);
+  for (Index i = 0; i < std::min(omega.size(), on_another_mesh.size() - modes.n_rigid); ++i)
+    off(i) = std::abs(on_another_mesh(modes.n_rigid + i) / omega(i) - 1) + rounding_of_frequency(modes, omega(i));
+  return off;
+}
+
+Subject reduced_subject(const ModalBody& body, int r, const VectorXd& on_another_mesh) {
   const Modes modes = leading(body.modes, r);
   const Index n_rigid = modes.n_rigid, n = modes.size() - n_rigid;
   System system = project(body.system, modes);
@@ -39,7 +48,14 @@ Subject reduced_subject(const ModalBody& body, int r) {
     return SteppedMode{omega(i), zeta(i), e, e};
   };
   const long most_steps = 200000 / (20 + n);  // as much work for many modes as for few
-  return {"reduced", static_cast<double>(n), std::move(system), omega, zeta, mode, most_steps};
+  return {"reduced",
+          static_cast<double>(n),
+          std::move(system),
+          omega,
+          zeta,
+          mode,
+          most_steps,
+          distance_of_frequencies(modes, omega, on_another_mesh)};
 }
 
 // run: as integrators get it; seen: with the mass they step with as its only one.
@@ -51,7 +67,7 @@ Subject full_subject(const std::string& name, const ModalBody& body, System run,
   omega << low.omega.tail(n), top.omega;
   zeta << damping_ratios(body.system, low).cwiseMax(0), top.zeta;
   const auto mode = [n, top](Index i) { return i == n ? std::optional(top) : std::nullopt; };
-  return {name, nan, std::move(run), omega, zeta, mode, 200};
+  return {name, nan, std::move(run), omega, zeta, mode, 200, VectorXd::Constant(omega.size(), nan)};
 }
 
 Finding limits_table() {
@@ -62,8 +78,9 @@ Finding limits_table() {
       "are those of the system's damping operator. Full order: the highest mode of the mesh and the lowest "
       "ones that were solved for, with the consistent and with the lumped mass. A limit of 0 means that every "
       "step is unstable. Over full order: the limit over that of the mesh with its consistent mass. Rigid modes drift "
-      "as "
-      "they should and set no limit.",
+      "as they should and set no limit. Bars: of reduced systems, what frequencies on another mesh of the case differ "
+      "by, "
+      "a limit by as much as the frequency that decides it; limits of full order are the mesh's own.",
       {{"system", ""},
        {"modes r", ""},
        {"scheme", ""},
@@ -165,6 +182,19 @@ std::vector<FindingCell> limit_row(const Subject& s, const Scheme& scheme, const
           whole > 0 && std::isfinite(whole) ? limit.dt / whole : nan};
 }
 
+// Limits go with 1/omega at one damping ratio.
+void bar_limits(Finding& limits, const Subject& s, const StepLimit& limit) {
+  const double top = s.off(s.off.size() - 1), off = s.off(limit.deciding);
+  const auto cell = [&](const char* name) {
+    const auto column = std::ranges::find(limits.columns, name, &FindingColumn::name) - limits.columns.begin();
+    return std::get<double>(limits.rows.back().at(static_cast<size_t>(column)));
+  };
+  std::vector<std::pair<const char*, double>> bars{{"omega max", top * s.omega(s.omega.size() - 1)}};
+  for (const char* name : {"dt formula", "dt measured", "omega deciding", "over full order"})
+    if (std::isfinite(cell(name)) && cell(name) > 0) bars.emplace_back(name, off * cell(name));
+  bar_last_row(limits, bars);
+}
+
 void add_runs(Finding& runs, const Subject& s, const Scheme& scheme, const Integrator& integrator,
               const StepLimit& limit) {
   const auto mode = s.mode(limit.deciding);
@@ -200,11 +230,12 @@ void expect_modes_apart(const ModalBody& body) {
 
 std::vector<Finding> step_limits(const AnalysisContext& context) {
   const std::vector<int> counts = mode_counts(context);
-  const ModalBody body = modal_body(context, counts.back());
+  const VectorXd on_another_mesh = modal_body(context, counts.back(), another_mesh(*context.scene)).modes.omega;
+  const ModalBody body = modal_body(context, counts.back());  // last: the context has one model at a time
   expect_modes_apart(body);
   std::vector<Subject> subjects;
   for (const int r : counts) {
-    subjects.push_back(reduced_subject(body, r));
+    subjects.push_back(reduced_subject(body, r, on_another_mesh));
     const size_t n = subjects.size();
     if (n > 1 && subjects[n - 1].r == subjects[n - 2].r) subjects.pop_back();  // one multiplet, or no more modes
   }
@@ -221,6 +252,7 @@ std::vector<Finding> step_limits(const AnalysisContext& context) {
     for (const Subject& subject : subjects) {
       const StepLimit limit = measured_limit(scheme, subject.omega, subject.zeta);
       limits.rows.push_back(limit_row(subject, scheme, limit, whole));
+      bar_limits(limits, subject, limit);
       const Integrator* integrator = find_integrator(context, scheme.integrator);
       if (integrator && steps_as(scheme, subject.system)) add_runs(runs, subject, scheme, *integrator, limit);
       if (std::isnan(subject.r)) continue;

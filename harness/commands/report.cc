@@ -106,8 +106,7 @@ int report_command(const ReportOptions& options, const Catalogue& catalogue, con
   ReportInput input{{}, {}, known.scenes, {}, meanings()};
   StoredResults stored = current_records(store, input.scenes);
   print_left_out(stored, options.quiet, console.err);
-  if (stored.records.empty() && stored.findings.empty())
-    throw UsageError(nothing_to_report(known, options));
+  if (stored.records.empty() && stored.findings.empty()) throw UsageError(nothing_to_report(known, options));
   input.records = std::move(stored.records);
   input.findings = std::move(stored.findings);
   input.environment = input.records.empty() ? provenance("none") : input.records.front().provenance;

@@ -17,8 +17,7 @@
 #include "harness/study/stored.h"
 #include "mechanics/algebra/threads.h"
 #include "reports/content.h"
-#include "reports/energy_warnings.h"
-#include "reports/linear_warnings.h"
+#include "reports/warnings.h"
 
 namespace mb {
 
@@ -103,9 +102,8 @@ bool print_checks(const std::vector<Scene>& scenes, const StoredResults& stored,
 
 void print_warnings(const std::vector<Scene>& scenes, const StoredResults& stored, const Console& console) {
   for (const Scene& scene : scenes)
-    for (const auto& of : {linear_warnings, energy_warnings})
-      for (const std::string& warning : of(stored.records, scene))
-        fmt::print(console.err, "warning: {} · {}\n", scene.name, warning);
+    for (const std::string& warning : warnings(stored.records, scene))
+      fmt::print(console.err, "warning: {} · {}\n", scene.name, warning);
 }
 
 struct Outcome {
