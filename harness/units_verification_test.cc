@@ -93,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(Systems, UnitsVerification,
 TEST_P(UnitsVerification, MatricesFollow) {
   const Units u = GetParam();
   double worst = 0;
-  for (const char* file : {"cylinder-combined.toml", "hard/dashpot.toml", "hard/stiffness-contrast.toml"}) {
+  for (const char* file : {"cylinder-combined.toml", "hard/dashpot.toml", "hard/microsecond-beam.toml",
+                           "hard/geological-tower.toml", "hard/stiffness-contrast.toml"}) {
     const Twice twice(file, u);
     const System &s = twice.own_system(), &t = twice.other_system();
     const double of_K = largest_of_entries(t.K * (u.T * u.T / u.M), s.K), of_M = largest_of_entries(t.M / u.M, s.M);
@@ -101,8 +102,10 @@ TEST_P(UnitsVerification, MatricesFollow) {
     EXPECT_LT(of_M, 1e-10) << file;
     worst = VectorXd{{worst, of_K, of_M}}.maxCoeff<Eigen::PropagateNaN>();
   }
-  expect_same("every entry of stiffness and mass of three bodies, over sqrt(K_ii K_jj) and sqrt(M_ii M_jj)", worst,
-              1e-10, "Sums of some hundred products, each rounded; the rest is room.");
+  expect_same(
+      "every entry of stiffness and mass of five bodies, of microseconds and of hours among them, over "
+      "sqrt(K_ii K_jj) and sqrt(M_ii M_jj)",
+      worst, 1e-10, "Sums of some hundred products, each rounded; the rest is room.");
 }
 
 TEST_P(UnitsVerification, ModesFollow) {
@@ -139,7 +142,8 @@ TEST_P(UnitsVerification, ModesFollow) {
 TEST_P(UnitsVerification, FrequenciesOfIllConditionedBodiesFollowAsRoundingLeavesThem) {
   const Units u = GetParam();
   double worst = 0, least_rounding = 1;
-  for (const char* file : {"hard/slender-rod.toml", "hard/stiffness-contrast.toml", "hard/million-steps.toml"}) {
+  for (const char* file : {"hard/slender-rod.toml", "hard/stiffness-contrast.toml", "hard/million-steps.toml",
+                           "hard/microsecond-beam.toml", "hard/geological-tower.toml"}) {
     const Twice twice(file, u);
     const Modes one = lowest_modes(twice.own_system(), 16, physical_shift(twice.own->bodies[0]));
     const Modes two = lowest_modes(twice.other_system(), 16, physical_shift(twice.other->bodies[0]));
@@ -153,8 +157,8 @@ TEST_P(UnitsVerification, FrequenciesOfIllConditionedBodiesFollowAsRoundingLeave
   }
   EXPECT_GT(least_rounding, 1e-13) << "not ill-conditioned: of the size of a sum's rounding";
   expect_same(
-      "twelve frequencies of a rod of aspect 200, of a body of a stiffness contrast of 1e6 and of a tuning fork's "
-      "prong, over eps lambda_max/(2 lambda) of each",
+      "twelve frequencies of a rod of aspect 200, of a body of a stiffness contrast of 1e6, of a tuning fork's prong, "
+      "of a beam of micrometres and of a tower of kilometres, over eps lambda_max/(2 lambda) of each",
       worst, 1,
       "Entries of K are rounded by eps of themselves at most, |dK| <= eps |K|, which moves lambda by "
       "eps lambda_max at most.");

@@ -9,4 +9,8 @@ namespace mb {
 
 Sheet hard_cases_table(const Evaluation& evaluation);  // without rows where no case is hard
 
+// Which integrators each of them went through, in full order and in modes: runs, cells of its stability maps and runs
+// beside the limits of their steps, and how many of each are unstable.
+Sheet hard_integrators_table(const Evaluation& evaluation);
+
 }  // namespace mb

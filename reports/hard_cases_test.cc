@@ -91,6 +91,33 @@ TEST(HardCases, WarningsStandBesideTheVerdict) {
       sentences, [](const std::string& one) { return one.starts_with("1 warning in 1 case (hard), told there:"); }));
 }
 
+TEST(HardCases, SayWhichIntegratorsTheyWentThrough) {
+  ReportInput all = input(0.001, 1e-4);
+  Record rival = record("hard", 0.1, 0);
+  rival.contender.method = "full-order";
+  rival.contender.integrator = "newmark";
+  all.records.push_back(rival);
+  Finding map;
+  map.name = "stability-map";
+  map.case_name = "hard";
+  map.profile = "quick";
+  map.columns = {{"integrator", ""}, {"system", ""}, {"found", ""}};
+  for (const char* found : {"stable", "unstable", "unstable"}) map.rows.push_back({"explicit-euler", "modes", found});
+  all.findings = {map};
+  const Sheet table = hard_integrators_table(evaluate(all));
+  ASSERT_EQ(table.rows.size(), 2u);  // of the one hard case
+  const auto text = [&](std::size_t row, const std::string& column) {
+    const auto at = std::ranges::find(table.columns, column, &Column::name) - table.columns.begin();
+    return table.rows[row].at(static_cast<std::size_t>(at)).text;
+  };
+  EXPECT_EQ(text(0, "system"), "full order");
+  EXPECT_EQ(text(0, "newmark"), "1 run");
+  EXPECT_EQ(text(0, "explicit-euler"), "none");
+  EXPECT_EQ(text(1, "exact"), "3 runs, 1 unstable");
+  EXPECT_EQ(text(1, "explicit-euler"), "map of 3 cells, 2 unstable");
+  EXPECT_EQ(text(1, "sundials"), "none");
+}
+
 TEST(VerificationTable, NamesReferenceUncertaintyToleranceReasonAndResult) {
   const Sheet table = verification_table(evaluate(input(0.001, 1e-4)));
   ASSERT_EQ(table.rows.size(), 2u);

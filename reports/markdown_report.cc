@@ -101,7 +101,8 @@ std::string markdown_report(const Evaluation& evaluation) {
   text += findings_sections(evaluation, false);
   if (const Sheet table = polynomials_table(evaluation); !table.rows.empty()) text += section(table, table.title, "");
   text += section(claims_table(evaluation), "The paper's claims", "");
-  if (const Sheet hard = hard_cases_table(evaluation); !hard.rows.empty()) text += section(hard, "Hard cases", "");
+  for (const Sheet& hard : {hard_cases_table(evaluation), hard_integrators_table(evaluation)})
+    if (!hard.rows.empty()) text += section(hard, hard.title, "");
   text += section(probes_table(evaluation), "Probe signals", "No probe is recorded.");
   if (const Sheet failures = failures_table(evaluation); !failures.rows.empty()) {
     text += section(failures, "Failures", "");

@@ -222,11 +222,11 @@ Json page_json(const Evaluation& evaluation) {
   for (const Explanation& one : definitions(evaluation)) terms.push_back(Json::array({one.term, one.text}));
   Json tables = Json::object();
   const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
-  for (const Sheet& table :
-       {headline_table(evaluation), contenders_table(evaluation), matrix_table(evaluation),
-        orders_table(curves(evaluation)), speed_up_table(evaluation, front), phases_table(evaluation, front),
-        polynomials_table(evaluation), claims_table(evaluation), hard_cases_table(evaluation), checks_table(evaluation),
-        probes_table(evaluation), failures_table(evaluation), environment_table(evaluation)}) {
+  for (const Sheet& table : {headline_table(evaluation), contenders_table(evaluation), matrix_table(evaluation),
+                             orders_table(curves(evaluation)), speed_up_table(evaluation, front),
+                             phases_table(evaluation, front), polynomials_table(evaluation), claims_table(evaluation),
+                             hard_cases_table(evaluation), hard_integrators_table(evaluation), checks_table(evaluation),
+                             probes_table(evaluation), failures_table(evaluation), environment_table(evaluation)}) {
     tables[table.name] = table_json(table);
   }
   return {{"schema", 1},          {"verdict", verdict_json(verdict_of(evaluation))}, {"cases", cases_json(evaluation)},

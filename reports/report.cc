@@ -21,11 +21,12 @@ namespace {
 
 std::vector<Sheet> all_tables(const Evaluation& evaluation) {
   const std::vector<SpeedUp> front = on_front(evaluation.speed_ups);
-  return {hard_cases_table(evaluation),    verification_table(evaluation),   headline_table(evaluation),
-          checks_table(evaluation),        matrix_table(evaluation),         reduced_table(evaluation),
-          rivals_table(evaluation),        orders_table(curves(evaluation)), speed_up_table(evaluation, front),
-          phases_table(evaluation, front), polynomials_table(evaluation),    claims_table(evaluation),
-          probes_table(evaluation),        failures_table(evaluation),       environment_table(evaluation)};
+  return {hard_cases_table(evaluation),      hard_integrators_table(evaluation), verification_table(evaluation),
+          headline_table(evaluation),        checks_table(evaluation),           matrix_table(evaluation),
+          reduced_table(evaluation),         rivals_table(evaluation),           orders_table(curves(evaluation)),
+          speed_up_table(evaluation, front), phases_table(evaluation, front),    polynomials_table(evaluation),
+          claims_table(evaluation),          probes_table(evaluation),           failures_table(evaluation),
+          environment_table(evaluation)};
 }
 
 // Keys of a table that are spelled out in the titles of its parts: case, profile, truth.

@@ -95,7 +95,8 @@ Formula::Formula(const std::string& formula) : compiled_(std::make_unique<Compil
     parser.Eval(n_results);  // the first evaluation compiles
     if (n_results != 1) throw std::domain_error("the formula has more than one value");
   } catch (const mu::ParserError& error) {
-    auto why = error.GetMsg();
+    auto why =
+        error.GetCode() == mu::ecINTERNAL_ERROR ? "the formula is not one: an operator lacks a value" : error.GetMsg();
     while (!why.empty() && (why.back() == '.' || why.back() == ' ')) why.pop_back();
     throw std::domain_error(why);
   }

@@ -51,6 +51,7 @@ TEST(ExpressionTest, RefusesAndSaysWhere) {
   EXPECT_THAT(problem("t == 0.015 ? 1/0 : 1"), HasSubstr("'==' is not allowed (use < and >) at position 3"));
   EXPECT_THAT(problem("t != 0.015"), HasSubstr("'!=' is not allowed (use < and >) at position 3"));
   EXPECT_THAT(problem("(t = 5) + 1"), HasSubstr("assignment"));
+  EXPECT_THAT(problem("t++"), HasSubstr("an operator lacks a value"));
   EXPECT_THAT(problem("\"text\""), HasSubstr("'\"' is not allowed at position 1"));
   EXPECT_THAT(problem("t\n"), HasSubstr("character that is not allowed at position 2"));
   EXPECT_THAT(problem(std::string("t\0+1", 4)), HasSubstr("position 2"));

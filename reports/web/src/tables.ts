@@ -45,6 +45,7 @@ export function drawTables(report: Report, selectors: Selectors, state: State): 
     ...show(report, 'polynomial-modes', null, {}),
     ...show(report, 'claims', null, { link: { column: 'evidence', follow } }),
     ...show(report, 'hard-cases', null, {}),
+    ...show(report, 'hard-integrators', null, {}),
     ...show(report, 'checks', 'No case states a check.', {}),
     ...show(report, 'probes', null, common),
     ...show(report, 'failures', null, {}),
