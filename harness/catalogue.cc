@@ -37,10 +37,16 @@ Catalogue default_catalogue() {
         }},
        {"explicit-euler", "explicit Euler, the one the paper names",
         [](const System& s, const Settings& set, double) { return explicit_euler(s, set.time_step); }, Knob::time_step,
-        true},
+        true,
+        [](const System& s, const std::vector<Contact>& c, const Settings& set, double) {
+          return explicit_euler(s, c, set.time_step);
+        }},
        {"symplectic-euler", "symplectic (semi-implicit) Euler",
         [](const System& s, const Settings& set, double) { return symplectic_euler(s, set.time_step); },
-        Knob::time_step, true},
+        Knob::time_step, true,
+        [](const System& s, const std::vector<Contact>& c, const Settings& set, double) {
+          return symplectic_euler(s, c, set.time_step);
+        }},
        {"sundials", "ARKODE, adaptive ESDIRK of order 5",
         [](const System& s, const Settings& set, double T) { return sundials(s, set.relative_tolerance, T); },
         Knob::tolerance, false,

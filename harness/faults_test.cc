@@ -88,8 +88,8 @@ TEST(FaultCases, ReportsAtOnceLeaveAWholeOne) {
     EXPECT_FALSE(entry.path().filename().string().starts_with(".unfinished")) << entry.path();
 }
 
-// 85^3 cubes of degree 1: two million degrees of freedom, whose factor takes a terabyte.
-std::string large_case(const std::string& cells = "[85, 85, 85]") {
+// 82^3 cubes of degree 1: nearly two million degrees of freedom, whose factor takes a terabyte.
+std::string large_case(const std::string& cells = "[82, 82, 82]") {
   std::string large = small_case();
   const auto replace = [&](const std::string& what, const std::string& by) {
     large.replace(large.find(what), what.size(), by);

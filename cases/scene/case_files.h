@@ -19,7 +19,7 @@ inline Vocabulary vocabulary() {
            "energy-defect", "momentum-defect", "force-error", "momentum-drift"},
           {"linear", "quadratic", "full"},
           {"sundials"},
-          {"newmark", "central-difference", "sundials"},
+          {"newmark", "central-difference", "explicit-euler", "symplectic-euler", "sundials"},
           {"budget",   "step-limits", "stability-map",  "aliasing",       "frequency-response", "mode-amplitudes",
            "damping",  "frequencies", "probe-extremes", "collision-cost", "contact-forces",     "contact-stiffness",
            "contact",  "flight-cost", "amplitude",      "instructions",   "slenderness",        "damping-coupling",

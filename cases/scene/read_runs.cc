@@ -86,7 +86,7 @@ int read_graded(Section& section, const std::vector<BodyDraft>& bodies) {
   return graded;
 }
 
-// Explicit and symplectic Euler have neither contact forces nor forces of finite strain; the others have both.
+// An integrator of one's own may have neither contact forces nor forces of finite strain.
 void check_impact(const std::string& integrator, Section& section, const RunContext& context) {
   const auto& able = context.vocabulary.impact_integrators;
   const auto finite = [](const BodyDraft& body) { return body.kinematics == Kinematics::finite; };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "cases/scene/closed_form.h"
@@ -73,15 +74,44 @@ bool is_nowhere_finer(const Resolution& mesh, const Resolution& other) {
          std::ranges::equal(mesh.others, other.others, is_nowhere_finer);
 }
 
-// A truth on a mesh that is no better than what it judges, or what its bar comes from, is none.
-void check_is_finer(const Mesh& finer, const Resolution& other, const std::string& its_name, const Position& where,
+// A truth on a mesh that is no better than what it judges, or what its bar comes from, is none. Returns whether it is.
+bool check_is_finer(const Mesh& finer, const Resolution& other, const std::string& its_name, const Position& where,
                     const std::vector<BodyDraft>& bodies, Findings& findings) {
   const auto n = n_dofs_of_all(bodies, *finer.resolution), n_other = n_dofs_of_all(bodies, other);
-  if (is_nowhere_finer(*finer.resolution, other))
-    findings.error(where, "'finer' is nowhere finer than " + its_name);
-  else if (n && n_other && *n < *n_other)
-    findings.error(where, fmt::format("'finer' has {:.0f} degrees of freedom, and {} {:.0f}: it must have more", *n,
-                                      its_name, *n_other));
+  const bool nowhere = is_nowhere_finer(*finer.resolution, other);
+  if (!nowhere && (!n || !n_other || *n >= *n_other)) return true;
+  findings.error(where, nowhere ? "'finer' is nowhere finer than " + its_name
+                                : fmt::format("'finer' has {:.0f} degrees of freedom, and {} {:.0f}: it must have more",
+                                              *n, its_name, *n_other));
+  return false;
+}
+
+// By how much errors fall at best from one mesh to another of the same degree p: r^p, r the largest ratio of cells
+// along an axis. Nothing where degree, grading or a theory's half waves tell otherwise.
+std::optional<double> fall_of_errors(const Resolution& fine, const Resolution& coarse, const BodyDraft& body) {
+  const bool alike = fine.degree == coarse.degree && fine.graded == coarse.graded && body.theory == Theory::solid;
+  if (!alike || fine.cells.size() != coarse.cells.size()) return {};
+  double r = 1;
+  for (size_t k = 0; k < fine.cells.size(); ++k)
+    r = std::max(r, fine.cells[k] / std::max(0.5, 1. * coarse.cells[k]));  // 0 splits: one block across
+  return std::pow(r, fine.degree);
+}
+
+// Their distance is not less than Richardson's estimate of the error, distance/(r^p - 1), where r^p is 2 at least.
+void check_is_apart(const Resolution& finer, const Resolution& coarser, const Position& where,
+                    const std::vector<BodyDraft>& bodies, Findings& findings) {
+  double largest = 1;
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    const auto fall = i == 0 ? fall_of_errors(finer, coarser, bodies[i])
+                             : fall_of_errors(finer.others.at(i - 1), coarser.others.at(i - 1), bodies[i]);
+    if (!fall) return;
+    largest = std::max(largest, *fall);
+  }
+  if (bodies.empty() || largest >= 2) return;
+  findings.error(
+      where, fmt::format("'coarser' is too near to 'finer': errors fall by {:.2g} at best between them, and must by "
+                         "two for their distance to be an error bar",
+                         largest));
 }
 
 // Errors stand at what the profile states, where it does.
@@ -95,8 +125,8 @@ void check_meshes(const Mesh& finer, const Mesh& coarser, std::optional<Section>
     const Position& where = own_finer && !own_coarser ? finer.where : coarser.where;
     if (*finer.resolution == *coarser.resolution)
       findings.error(where, "'coarser' equals 'finer': their distance is the error bar, and would be 0");
-    else
-      check_is_finer(finer, *coarser.resolution, "'coarser'", where, bodies, findings);
+    else if (check_is_finer(finer, *coarser.resolution, "'coarser'", where, bodies, findings))
+      check_is_apart(*finer.resolution, *coarser.resolution, where, bodies, findings);
   }
   if (!own) return;
   const bool own_mesh = profile && profile->has("resolution") && !own_finer;

@@ -106,11 +106,11 @@ damping = 0.1
 
 TEST(MemoryCases, GrowsWithMeshesInContactNoFasterThanEstimated) {
   const auto of = [](int n) {
-    const std::string cells = fmt::format("cells = [{}, {}, {}]", n, n, n);
+    const auto cells = [](int m) { return fmt::format("cells = [{0}, {0}, {0}]", m); };
     return Changes{{"duration = 0.5", "duration = 0.06"},
-                   {"cells = [1, 1, 1]\n[[obstacle]]", cells + "\n[[obstacle]]"},
-                   {"degree = 1, cells = [2, 2, 2]", fmt::format("degree = 1, cells = [{0}, {0}, {0}]", n + 1)},
-                   {"degree = 1, cells = [1, 1, 1]", "degree = 1, " + cells}};
+                   {"cells = [1, 1, 1]\n[[obstacle]]", cells(n) + "\n[[obstacle]]"},
+                   {"degree = 1, cells = [2, 2, 2]", "degree = 1, " + cells(n + 1)},
+                   {"degree = 1, cells = [1, 1, 1]", "degree = 1, " + cells(n / 2)}};
   };
   expect_growth_as_estimated(bouncing_case("contact_steps = [1e-3]"), of(6), of(12));
 }

@@ -4,29 +4,12 @@
 #include <limits>
 
 #include "mechanics/contact/contact_steppers.h"
+#include "mechanics/contact/spring_on_floor_test.h"
 
 namespace mb {
 namespace {
 
-constexpr double mass = 0.4, k = 5e4, area = 1e-3, k_n = 2e9;  // [kg], [N/m], [m^2], [Pa/m]
-
-// A point on a spring along z, some way above the floor: in contact its spring is k + area k_n.
-System spring(double stiffness, double c = 0) {
-  System s;
-  s.M = (mass * MatrixXd::Identity(3, 3)).sparseView();
-  s.K = MatrixXd(Vector3d(1e3, 1e3, stiffness).asDiagonal()).sparseView();
-  s.damping = {c, 0};
-  s.R = MatrixXd(3, 0);
-  s.F = MatrixXd(3, 0);
-  s.u0 = s.v0 = VectorXd::Zero(3);
-  s.modal_damping.W = MatrixXd(3, 0);
-  return s;
-}
-Contact on_floor(double height, const PenaltyLaw& law = {k_n, 0, {}}) {
-  ContactPoints points{Vector3d(0, 0, height), VectorXd::Constant(1, area), SparseMatrix(3, 3)};
-  points.U.setIdentity();
-  return {points, {HalfSpace{}, 0, {}}, law, {1e-3, 1}};
-}
+using namespace spring_on_floor;
 
 // While it presses, u'' = -(k u + A k_n u)/m from the speed -v: sinusoidal. Beyond, k alone.
 double largest_error(int n, const PenaltyLaw& law = {k_n, 0, {}}) {

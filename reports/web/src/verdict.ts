@@ -24,8 +24,12 @@ function tile(value: string, name: string, detail: string, mood: Mood): HTMLElem
   );
 }
 
+const mostNamed = 8; // cases, in a tile
+
 function tiles(report: Report): HTMLElement {
   const v = report.verdict;
+  const names = [...new Set(report.cases.map((one) => one.name))];
+  const profiles = [...new Set(report.cases.map((one) => one.profile))];
   const missing = [
     v.not_decidable ? `${v.not_decidable} not decidable` : '',
     v.not_measured ? `${v.not_measured} not measured` : '',
@@ -62,9 +66,9 @@ function tiles(report: Report): HTMLElement {
       v.failed_runs ? 'bad' : contenders ? 'good' : 'plain',
     ),
     tile(
-      environmentOf(report, 'profile') || 'unknown',
-      'profile',
-      report.cases.map((one) => one.name).join(', '),
+      profiles.join(', ') || 'unknown',
+      profiles.length > 1 ? 'profiles' : 'profile',
+      names.length > mostNamed ? `${names.length} cases` : names.join(', '),
       'plain',
     ),
   );
