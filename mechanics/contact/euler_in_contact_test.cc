@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "mechanics/contact/contact_steppers.h"
 #include "mechanics/contact/spring_on_floor_test.h"
@@ -12,22 +13,6 @@ using namespace spring_on_floor;
 
 using Make = std::unique_ptr<Stepper> (*)(const System&, const std::vector<Contact>&, double);
 constexpr Make explicit_steps = explicit_euler, symplectic_steps = symplectic_euler;
-
-// While it presses, u'' = -(k u + A k_n u)/m from the speed -v, which is a sine.
-double largest_error(Make make, int n) {
-  System system = spring(k);
-  const double v = 1.5, omega = std::sqrt((k + area * k_n) / mass), T = 0.9 * pi / omega;
-  system.v0[2] = -v;
-  const std::vector<Contact> contacts{on_floor(0)};
-  const VectorXd times = VectorXd::LinSpaced(10, 0, T);
-  const States states = make(system, contacts, T / n)->run(times);
-  EXPECT_EQ(states.status, Status::ok);
-  double error = 0;
-  for (Index i = 0; i < 10; ++i)
-    error = std::max({error, std::abs(states.u(2, i) + v / omega * std::sin(omega * times[i])) * omega / v,
-                      std::abs(states.v(2, i) + v * std::cos(omega * times[i])) / v});
-  return error;
-}
 
 TEST(EulerInContact, IsOfOrderOneOnASpring) {
   for (const Make make : {explicit_steps, symplectic_steps}) {
