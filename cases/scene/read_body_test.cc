@@ -57,6 +57,17 @@ TEST(ReadMaterial, refuses_an_orthotropy_that_gives_way) {
   }
 }
 
+// One rounding below 1/2, and above -1, the range holds; K does not.
+TEST(ReadMaterial, refuses_ratios_that_leave_the_stiffness_no_digits) {
+  const auto problems = [](const std::string& ratio) {
+    return problems_of_text(with(cylinder_text(), "poissons_ratio = 0.45", "poissons_ratio = " + ratio));
+  };
+  EXPECT_EQ(problems("0.49999999"), "");
+  EXPECT_EQ(problems("-0.9999999"), "");
+  for (const char* near : {"0.49999999999999994", "0.499999996", "-0.9999999999999999"})
+    EXPECT_NE(problems(near).find("1 - 2 nu and 1 + nu must be at least 1e-08"), std::string::npos) << near;
+}
+
 TEST(ReadDamping, takes_ratios_of_the_first_modes) {
   const auto with_ratios = [](const std::string& ratios) {
     return with(cylinder_text(), "alpha = 1.5733", "alpha = 1.5733\nratios = " + ratios);

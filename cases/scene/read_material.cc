@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace mb {
 
 namespace {
@@ -11,6 +13,7 @@ namespace {
 const Range modulus_range{1, 1e13, "Pa"};
 const Range density_range{1e-3, 1e5, "kg/m^3"};
 const Range poisson_range{-1, 0.5, "", true, true};  // where K is positive definite
+constexpr double nearest = 1e-8;                     // [-] 1 - 2 nu and 1 + nu: half of double precision is left to K
 const Range ratio_range{-100, 100};                  // orthotropic: bounded by sqrt(E_i/E_j), see is_stable
 
 std::optional<Orthotropy> read_orthotropy(Section section) {
@@ -44,6 +47,14 @@ std::optional<Material> read_isotropic(Section& section) {
   const auto modulus = section.number("youngs_modulus", modulus_range);
   const auto ratio = section.number("poissons_ratio", poisson_range);
   if (!modulus || !ratio) return std::nullopt;
+  const double least = std::min(1 - 2 * *ratio, 1 + *ratio);
+  if (!(least >= nearest))
+    section.error(
+        "poissons_ratio",
+        fmt::format("so near the end of its range moduli of shear and of volume are {:.0e} apart: the stiffness "
+                    "matrix keeps no digits of the smaller",
+                    1 / least),
+        fmt::format("1 - 2 nu and 1 + nu must be at least {:.0e}", nearest));
   return Material{*modulus, *ratio, 1};
 }
 

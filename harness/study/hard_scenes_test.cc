@@ -143,6 +143,22 @@ TEST_F(HardScenes, AreSteppedInFullOrderBelowAndPastTheLimit) {
   }
 }
 
+// Limits of steps are of small motion without contact: of what presses and of finite strain runs alone tell.
+TEST_F(HardScenes, InContactOrOfFiniteStrainAreSteppedInFullOrderByEveryExplicitIntegrator) {
+  for (const Scene& scene : all_) {
+    const bool finite =
+        std::ranges::any_of(scene.bodies, [](const Body& b) { return b.kinematics == Kinematics::finite; });
+    if (scene.contacts.empty() && !finite) continue;
+    for (const Integrator& integrator : catalogue_.integrators) {
+      if (!integrator.conditionally_stable) continue;
+      EXPECT_TRUE(checked(scene, "full-order", integrator.name, "unstable")) << scene.name << " " << integrator.name;
+      const bool damped = scene.name != "undamped-impacts";  // without damping no step is below explicit Euler's limit
+      EXPECT_EQ(checked(scene, "full-order", integrator.name, ""), damped || integrator.name != "explicit-euler")
+          << scene.name << " " << integrator.name << ": steps below the limit";
+    }
+  }
+}
+
 TEST_F(HardScenes, HaveMapsOfTheirStepsAndSayWhatIsHard) {
   for (const Scene& scene : all_) {
     const std::string map = scene.contacts.empty() ? "stability-map" : "contact-stability";
