@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <utility>
 
 #include "cases/scene/name.h"
@@ -58,7 +59,9 @@ std::optional<double> Section::as_number(const Item& item, const Range& range) {
 }
 
 std::optional<int> Section::as_integer(const Item& item, const Range& range) {
-  if (!std::holds_alternative<std::int64_t>(item.value->value)) {
+  const auto* real = std::get_if<double>(&item.value->value);
+  const bool too_long = real != nullptr && std::abs(*real) >= 0x1p63;  // what an override's twenty digits are read as
+  if (!std::holds_alternative<std::int64_t>(item.value->value) && !too_long) {
     wrong_type(item, "an integer");
     return std::nullopt;
   }

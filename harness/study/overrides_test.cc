@@ -92,6 +92,7 @@ TEST(OverridesTest, TheLimitsOfCaseFilesHold) {
   refused("rival.time_steps=nan", "is nan, outside");
   refused("rival.time_steps=1e999", "must be a number");
   refused("modal.modes=", "must be an integer");
+  refused("modal.modes=12345678901234567890", "outside [0, 4096]");
   refused("modal.integrators=newmark", "missing key 'time_steps' in [[study.stepping]]");  // no step is given
   refused("modal.contact_steps=1e-4", "contact_steps");                                    // of scenes with contact
   refused("modal.time_steps=0.01", "'modal.time_steps' needs modal.integrators");
