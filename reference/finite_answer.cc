@@ -26,7 +26,10 @@ class PreparedFinite final : public Prepared {
       MatrixXd u = states.u;
       u.rightCols(u.cols() - states.n_valid).setZero();
       body.displacement = observe(displacement_, u, {});
-      if (sampling.strain) body.strain = body_.strain(u);
+      if (sampling.strain) {
+        body.strain = body_.strain(u);
+        body.energy = energy(states);
+      }
     }
     answer.bodies.push_back(std::move(body));
     return answer;
@@ -35,6 +38,14 @@ class PreparedFinite final : public Prepared {
   Index n_unknowns() const override { return body_.n(); }
 
  private:
+  // [J] Kinetic and stored, by the consistent mass; 0 where nothing was reached.
+  VectorXd energy(const States& states) const {
+    VectorXd E = VectorXd::Zero(states.u.cols());
+    for (Index k = 0; k < states.n_valid; ++k)
+      E[k] = kinetic_energy(body_.system(), states.v.col(k)) + strain_energy(body_.system(), states.u.col(k));
+    return E;
+  }
+
   std::shared_ptr<const Scene> scene_;
   Observation displacement_;
   ImpactMember body_;

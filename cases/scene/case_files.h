@@ -16,7 +16,7 @@ inline Vocabulary vocabulary() {
           {"exact", "newmark", "central-difference", "explicit-euler", "symplectic-euler", "sundials"},
           {"displacement-error", "strain-error", "surface-deviation", "pose-translation", "pose-rotation",
            "probe-error", "contact-duration", "peak-force", "impulse", "restitution", "first-touch", "energy-gain",
-           "energy-defect", "momentum-defect", "force-error", "momentum-drift"},
+           "energy-defect", "momentum-defect", "force-error", "momentum-drift", "free-gain"},
           {"linear", "quadratic", "full"},
           {"sundials"},
           {"newmark", "central-difference", "explicit-euler", "symplectic-euler", "sundials"},

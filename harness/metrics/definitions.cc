@@ -80,6 +80,11 @@ const std::map<std::string, Origin>& origins() {
        {"max_t (E(t) + D(t) - E(0)) / max(m v^2 / 2, max_t S(t), max_t W(t)), E: kinetic, elastic, of the weight and "
         "stored in contacts; D: lost in contacts; S: stored there; W: work of the weight; v: at the first touch",
         "conservation of energy"}},
+      {"free-gain",
+       {"(max_{t >= t_0} E(t) - E(t_0)) / max_{t <= t_0} E(t), E: kinetic, by the consistent mass, and stored; t_0: "
+        "when "
+        "the last load ends",
+        "conservation of energy"}},
       {"momentum-defect",
        {"|[c - v t - g t^2/2] - int J dt / m| / |int J dt / m|, [ ]: last time less the first, c: centroid, v: at t = "
         "0",

@@ -33,6 +33,7 @@ struct Metric {
   // metric, in its unit; none: 1, since the metric is relative to the whole truth itself.
   double (*size)(const Trajectory& truth, const MetricContext& context) = nullptr;
   bool contact_only = false;     // for scenes with contact alone
+  bool finite_only = false;      // for bodies of finite kinematics alone
   bool of_answer_alone = false;  // no error against the truth, nor has it a bar: marked once, beside truth "finer"
 };
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "harness/metrics/contact_metrics.h"
+#include "harness/metrics/finite_metrics.h"
 #include "harness/metrics/linearity.h"
 #include "harness/metrics/metric.h"
 #include "harness/metrics/motion.h"
@@ -231,6 +232,7 @@ const std::vector<Metric>& metric_catalogue() {
   static const std::vector<Metric> all = [] {
     std::vector<Metric> both = catalogue();
     std::ranges::copy(contact_metrics(), std::back_inserter(both));
+    std::ranges::copy(finite_metrics(), std::back_inserter(both));
     return both;
   }();
   return all;

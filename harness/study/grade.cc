@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "harness/metrics/contact_metrics.h"
+#include "harness/metrics/finite_metrics.h"
 #include "harness/study/plan.h"
 
 namespace mb {
@@ -37,7 +38,10 @@ Grader::Grader(const Scene& scene, const TruthSet& truth, std::vector<bool> free
   for (const Body& body : scene.bodies) points_.push_back(evaluation_points(scene, body));
   for (const Metric& metric : metric_catalogue())
     for (size_t b = 0; b < scene.bodies.size(); ++b) {
-      if ((metric.free_only && !free[b]) || (metric.contact_only && scene.contacts.empty())) continue;
+      const bool finite = scene.bodies[b].kinematics == Kinematics::finite;
+      if ((metric.free_only && !free[b]) || (metric.contact_only && scene.contacts.empty()) ||
+          (metric.finite_only && !finite))
+        continue;
       const MetricContext context{scene, static_cast<Index>(b), points_[b], free[b], -1};
       if (!metric.per_probe) subjects_.push_back({metric, context, scene.bodies[b].name});
       for (size_t p = 0; metric.per_probe && p < scene.probes.size(); ++p) {
@@ -113,7 +117,7 @@ std::vector<Record> Grader::marks_of_steps(const Record& base, const Trajectory&
 }
 
 double Grader::energy_fed(const Trajectory& answer) const {
-  if (scene_.contacts.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (scene_.contacts.empty()) return free_gain(answer, scene_);  // of finite kinematics: of others none is recorded
   return mb::energy_fed(answer, truth_.finer, subjects_.front().context);  // of all bodies, whichever it names
 }
 

@@ -87,6 +87,9 @@ std::vector<double> breakpoints(const History& history, double duration);
 // std::invalid_argument (as do breakpoints and peak) where an argument or a number of the history is out of range.
 Segments segments(const History& history, double duration, double tolerance = 1e-6);
 
+// [s] From then to the duration s = 0; infinity where it does not end before it. Of an expression as resampled.
+double end(const History& history, double duration);
+
 // Supremum of |s| on [0, duration]; of an expression to 1 % (peak.h).
 double peak(const History& history, double duration);
 

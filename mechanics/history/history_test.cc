@@ -109,6 +109,17 @@ TEST(HistoryTest, JumpsLieAtBreakpointsOnly) {
   EXPECT_TRUE(breakpoints(Expression{"t"}, 1).empty());
 }
 
+TEST(HistoryTest, EndsWhereItIsZeroFromThenOn) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(end(Pulse{0.25, 3, 0.1}, 1), 0.35);
+  EXPECT_EQ(end(Pulse{0.25, 3, 0.1}, 0.3), never) << "not within the duration";
+  EXPECT_EQ(end(Pulse{0.25, 3, 2}, 1), 0) << "begins after it";
+  EXPECT_EQ(end(Chirp{10, 20, 0.5}, 1), 0.5);
+  EXPECT_EQ(end(Table{{0, 0.2, 0.4}, {0, 1, 0.5}}, 1), 0.4);
+  for (const History& on : {History(Step{}), History(Ramp{0.5}), History(Harmonic{10}), History(Expression{"1 - t"})})
+    EXPECT_EQ(end(on, 1), never) << on.index();
+}
+
 TEST(HistoryTest, RebasedIsTheSameFunction) {
   const Segment segment{0.5, 9, 1, -2, 0.3, 0.7, 11};
   const Segment later = rebased(segment, 2.25, 3);

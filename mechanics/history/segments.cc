@@ -177,6 +177,14 @@ Segments segments(const History& history, double duration, double tolerance) {
   return result;
 }
 
+double end(const History& history, double duration) {
+  const std::vector<Segment> pieces = segments(history, duration).pieces;
+  const auto acts = [](const Segment& s) { return s.c0 != 0 || s.c1 != 0 || s.a != 0 || s.b != 0; };
+  const auto last = std::find_if(pieces.rbegin(), pieces.rend(), acts);
+  if (last == pieces.rbegin()) return std::numeric_limits<double>::infinity();
+  return last == pieces.rend() ? 0 : last->end;
+}
+
 double peak(const History& history, double duration) {
   check(history, duration);
   return std::visit([duration](const auto& h) { return largest(h, duration); }, history);
