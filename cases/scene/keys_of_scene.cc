@@ -28,7 +28,7 @@ const std::vector<KeyGroup>& scene_keys() {
         {"truth", "a table", "", "", "required", "how the reference is computed", ""},
         {"reference_frequencies", "a table", "", "", "none", "published natural frequencies", ""},
         {"study", "a table", "", "", "required", "who answers", ""},
-        {"check", "0 to 64 tables", "", "", "none", "what must hold", ""}}},
+        {"check", "0 to 128 tables", "", "", "none", "what must hold", ""}}},
       {"`[time]`",
        {{"time.duration", "a number", "(0, 100000]", "s", "required", "of every profile that states no other", "0.1"},
         {"time.frame_rate", "a number", "(0, 1e9]", "1/s", "required", "frames: motion, aliasing, timed runs", "60"},

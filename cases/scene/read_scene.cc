@@ -118,7 +118,7 @@ std::string twin_key(const Check& check) {
 
 void read_checks(Section& root, const CheckContext& context, const Vocabulary& vocabulary, Scene& scene) {
   std::set<std::string> asked;
-  for (Section& section : root.sections("check", {0, 64})) {
+  for (Section& section : root.sections("check", {0, 128})) {
     auto check = read_check(section, context, vocabulary);
     if (!check) continue;
     bool is_new = true, is_asked = false;

@@ -69,8 +69,8 @@ Finding steps_table() {
       "this mode, |ln lambda| the phase and decay of one step: the ratio of an exact step. Run: the same from the "
       "displacements of the integrator itself, let go from rest in the mode with all others kept. Negative: the mode "
       "grows where it ought to decay. Not applicable where the answer does not swing. Difference: scheme less asked. "
-      "At most eight of the modes kept, spread over them; integrators of fixed step. Bars: the distance to the same on "
-      "another mesh of the case.",
+      "At most eight of the modes kept, spread over them; integrators of fixed step. Bars: twice the distance to the "
+      "same on the finer mesh of the case.",
       {{"mode", ""},
        {"frequency", "Hz"},
        {"zeta asked", "-"},
@@ -90,7 +90,7 @@ Finding ratios_table() {
       "decrement over one period of the mode let go from rest, in closed form: these must agree, and show that "
       "reduction changes no ratio. What steps make of it stands in table damping-of-steps. Coupling: largest "
       "|C_ij|/sqrt(C_ii C_jj) with the other modes of the table, 0 where they stay uncoupled to 1e-13 of C's largest "
-      "entry. Bars: the distance to the same on another mesh of the case.",
+      "entry. Bars: twice the distance to the same on the finer mesh of the case.",
       {{"mode", ""},
        {"frequency", "Hz"},
        {"zeta asked", "-"},

@@ -17,26 +17,27 @@ constexpr int most_sub_samples = 64;
 constexpr double negligible = 1e-12;  // [-] of kinetic energy
 
 Finding marks_table(const std::string& samples) {
-  return table("aliasing", "aliasing", "Temporal aliasing in frames",
-               "Motion x at the volume points in the M norm, rigid motion projected out, taken apart at half the frame "
-               "rate F by a filter of zero phase: raised cosine from 0.8 to 1.2 of F/2, on a record padded to four "
-               "times its length (at rest before its start, point reflection fading out after its end). Seen through a "
-               "shutter of 1/F: a point, a box of N sub-samples, or the exact mean. With |.| over frames and points, x "
-               "the truth on the same mesh and y the contender: aliasing |B y_high|, droop |B y_low - y_low|, low-band "
-               "error |y_low - x_low|, frame error |B y - x_low|, all over |x_low|. Exact means of modes are closed "
-               "forms. Bars: the distance to the same on another mesh of the case. Frames whose shutter leaves the "
-               "record are left out. " +
-                   samples,
-               {{"frame rate", "Hz"},
-                {"frames", ""},
-                {"contender", ""},
-                {"modes r", ""},
-                {"shutter", ""},
-                {"sub-samples", ""},
-                {"aliasing", "-"},
-                {"droop", "-"},
-                {"low-band error", "-"},
-                {"frame error", "-"}});
+  return table(
+      "aliasing", "aliasing", "Temporal aliasing in frames",
+      "Motion x at the volume points in the M norm, rigid motion projected out, taken apart at half the frame "
+      "rate F by a filter of zero phase: raised cosine from 0.8 to 1.2 of F/2, on a record padded to four "
+      "times its length (at rest before its start, point reflection fading out after its end). Seen through a "
+      "shutter of 1/F: a point, a box of N sub-samples, or the exact mean. With |.| over frames and points, x "
+      "the truth on the same mesh and y the contender: aliasing |B y_high|, droop |B y_low - y_low|, low-band "
+      "error |y_low - x_low|, frame error |B y - x_low|, all over |x_low|. Exact means of modes are closed "
+      "forms. Bars: twice the distance to the same on the finer mesh of the case. Frames whose shutter leaves the "
+      "record are left out. " +
+          samples,
+      {{"frame rate", "Hz"},
+       {"frames", ""},
+       {"contender", ""},
+       {"modes r", ""},
+       {"shutter", ""},
+       {"sub-samples", ""},
+       {"aliasing", "-"},
+       {"droop", "-"},
+       {"low-band error", "-"},
+       {"frame error", "-"}});
 }
 
 Finding claim_table() {

@@ -21,7 +21,8 @@ Finding aspect_table() {
       "cells, material and loads kept, times and damping in proportion to the period of the lowest elastic mode. Modes "
       "against steps: 24 modes with static correction in closed form "
       "against all unknowns by adaptive steps at rtol 1e-6, displacement, M norm; its bar, the distance to the same at "
-      "1e-5. Bar of a frequency: the distance to that of another mesh of the case. Energies: the largest over the "
+      "1e-5. Bar of a frequency: twice the distance to that of the finer mesh of the case. Energies: the largest over "
+      "the "
       "first of free vibration within 1000 steps, by average acceleration at 1000 times the limit of central "
       "differences, by "
       "these at 0.99 and at 1.01 of it.",

@@ -12,10 +12,13 @@ namespace {
 constexpr double grown = 1.1;   // [-] of the energy of the approach
 constexpr double samples = 64;  // [-] to the contact's duration
 
-// 1 and what is gained from the first sample to the last, over the kinetic energy of the approach.
+double gained(const VectorXd& x) { return x.size() > 0 ? x(x.size() - 1) - x(0) : 0; }
+
+// 1 and what is gained from the first sample to the last, over the kinetic energy of the approach. What the layer takes
+// away is added back: steps fed it.
 double gained_energy(const Trajectory& run, const VariedLayer& layer) {
   double gain = 0;
-  for (const BodyTrajectory& body : run.bodies) gain += body.energy(body.energy.size() - 1) - body.energy(0);
+  for (const BodyTrajectory& body : run.bodies) gain += gained(body.energy) + gained(body.contact.dissipated);
   const double speed = layer.scene.bodies.front().twist.velocity.dot(layer.encounter.normal);
   return 1 + gain / (layer.encounter.mass * speed * speed / 2);
 }

@@ -64,8 +64,8 @@ Finding summary_table(const MappedMethod& mapped) {
       "Cells of the map by what was found. Error at the least step: the larger of peak force's and impulse's, of "
       "whichever layer has the largest; order: exponent of the same of the scene's own layer over the steps, "
       "where it lies between 1e-9 and a tenth. Unstable within the limit: within both limits. Unstable from: the "
-      "least "
-      "unstable step, of its layer's opening limit.",
+      "least unstable step, of its layer's opening limit. All of one impact: what rests opens its layer again and "
+      "again, and small gains add up until damping takes them away.",
       {{"integrator", ""},
        {"cells", ""},
        {"stable", ""},

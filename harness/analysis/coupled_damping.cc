@@ -19,8 +19,8 @@ Finding errors_table() {
                "Phi^T C Phi whole, by complex modes in closed form, against its diagonal alone, as classical damping "
                "has it: elastic part, M norm over the scene's samples. Coupling: largest |C_ij| / sqrt(C_ii C_jj). "
                "Condition: of the complex modes, which grows where two of them become critical. Closed form against "
-               "steps: the same system by adaptive Runge-Kutta steps at rtol 1e-8. Bars: the distance to the same on "
-               "another mesh of the case.",
+               "steps: the same system by adaptive Runge-Kutta steps at rtol 1e-8. Bars: twice the distance to the "
+               "same on the finer mesh of the case.",
                {{"modes r", ""},
                 {"coupling", "-"},
                 {"error of dropping", "-"},
@@ -33,7 +33,8 @@ Finding modes_table() {
       "damping-coupling", "damping-coupling-modes", "Complex modes beside undamped ones",
       "Eigenvalues mu of the damped system in its largest number of modes, slowest first: frequency |mu|/2 pi, "
       "ratio -Re(mu)/|mu|, 1 where it does not swing. Beside each the undamped mode which holds most of its "
-      "energy, with the ratio that the diagonal gives it. Bars: the distance to the same on another mesh of the case.",
+      "energy, with the ratio that the diagonal gives it. Bars: twice the distance to the same on the finer mesh of "
+      "the case.",
       {{"complex mode", ""},
        {"frequency", "Hz"},
        {"ratio", "-"},

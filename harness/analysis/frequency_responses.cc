@@ -31,7 +31,7 @@ Finding curves_table(const Probe& probe, bool damped) {
       "Steady displacement at probe '{}' under a load of unit factor, full order on the body's mesh and reduced. From "
       "a fifth of the first elastic frequency to that of mode {}, in equal ratios. Static correction adds the residual "
       "flexibility, which is real and the same at all frequencies. Phase: that of the displacement against the load. "
-      "Bars: the distance to the same on another mesh of the case, at the same frequencies.",
+      "Bars: twice the distance to the same on the finer mesh of the case, at the same frequencies.",
       probe.name, highest_mode);
   if (!damped)
     note += " The body is undamped: peaks are unbounded, and frequencies keep 1 % away from those of the modes known.";
@@ -44,16 +44,17 @@ Finding errors_table() {
   return table(
       "frequency-response", "frequency-response-error", "Error of reduced frequency responses",
       "Error: root of the sum over the frequencies of |u_r - u|^2 over that of |u|^2, complex, so that phase "
-      "counts. Largest deviation: the largest |u_r - u| / |u|, and where. Bars: the distance to the same on another "
-      "mesh of the case.",
+      "counts. Largest deviation: the largest |u_r - u| / |u|, and where. Bars: twice the distance to the same on the "
+      "finer mesh of the case.",
       {{"load", ""}, {"contender", ""}, {"modes r", ""}, {"error", "-"}, {"largest deviation", "-"}, {"at", "Hz"}});
 }
 
 Finding peaks_table() {
-  return table("frequency-response", "frequency-response-peaks", "Highest peak of the frequency response",
-               "Near the largest of the frequencies looked at in full order, by golden section to 1e-4 in frequency. "
-               "Amplitude: for a load of unit factor. Bars: the distance to the same on another mesh of the case.",
-               {{"contender", ""}, {"load", ""}, {"modes r", ""}, {"frequency", "Hz"}, {"amplitude", "m"}});
+  return table(
+      "frequency-response", "frequency-response-peaks", "Highest peak of the frequency response",
+      "Near the largest of the frequencies looked at in full order, by golden section to 1e-4 in frequency. "
+      "Amplitude: for a load of unit factor. Bars: twice the distance to the same on the finer mesh of the case.",
+      {{"contender", ""}, {"load", ""}, {"modes r", ""}, {"frequency", "Hz"}, {"amplitude", "m"}});
 }
 
 std::string load_name(const Scene& scene, Index load) {
@@ -221,7 +222,8 @@ std::vector<Finding> frequency_responses(const AnalysisContext& context) {
   const VectorXd f = frequencies_between(known(0) / 5, last, n_frequencies, undamped);
   const bool has_peaks = undamped.size() == 0;
   std::vector<Finding> found = on_mesh(context, *probe, own_meshes(scene), f, has_peaks);
-  add_bars(found, on_mesh(context, *probe, another_mesh(scene), f, has_peaks));
+  const auto [meshes, bar_per_distance] = another_mesh(scene);
+  add_bars(found, on_mesh(context, *probe, meshes, f, has_peaks), bar_per_distance);
   turn_bars(found.front());
   return found;
 }

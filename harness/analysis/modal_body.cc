@@ -52,8 +52,9 @@ ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolu
   return {scene_model, model, system, std::move(shifted), std::move(modes)};
 }
 
-Resolution another_mesh(const Scene& scene) {
-  return scene.truth.coarser == own_meshes(scene) ? scene.truth.finer : scene.truth.coarser;
+AnotherMesh another_mesh(const Scene& scene) {
+  if (scene.truth.finer == own_meshes(scene)) return {scene.truth.coarser, 1};
+  return {scene.truth.finer, 2};
 }
 
 std::vector<int> mode_counts(const AnalysisContext& context) {

@@ -32,8 +32,13 @@ struct ModalBody {
 // With n_elastic elastic modes, if the body has as many; on its own mesh, or on that of a whole scene's.
 ModalBody modal_body(const AnalysisContext& context, int n_elastic);
 ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolution& meshes);
-// What tells how far numbers of the own mesh depend on it: the truth's `coarser` or, where that is the own, `finer`.
-Resolution another_mesh(const Scene& scene);
+// What tells how far numbers of the own mesh are off: the truth's `finer`. Where the error of that is half of the own's
+// at most, |own - exact| <= 2 |own - finer|; where the own is `finer`, |own - exact| <= |own - coarser| likewise.
+struct AnotherMesh {
+  Resolution meshes;
+  double bar_per_distance;  // [-] 2, or 1 of `coarser`
+};
+AnotherMesh another_mesh(const Scene& scene);
 
 // Of a mesh that the case does not state, so that nobody has asked yet whether it fits: throws std::runtime_error with
 // both numbers where it takes more memory than there is.

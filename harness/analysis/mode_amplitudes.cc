@@ -51,7 +51,7 @@ Finding amplitudes_table() {
       "Largest modal displacement q (the M norm of the displacement, as phi^T M phi = 1) over one period of each "
       "elastic mode of the reduced system in closed form, damping included, excited alone: by an energy of 1 J "
       "as velocity, by a constant modal force of 1 N/kg^1/2, and by an impulse of 1 N s/kg^1/2 within a "
-      "hundredth of a period. Bars: the distance to the same on another mesh of the case.",
+      "hundredth of a period. Bars: twice the distance to the same on the finer mesh of the case.",
       {{"mode", ""},
        {"frequency", "Hz"},
        {"omega", "rad/s"},

@@ -57,8 +57,10 @@ SolvedBody solved_body(const Scene& scene, int n_modes) {
 BarredFrequency first_frequency(const SolvedBody& body, const Scene& scene) {
   constexpr int few = 4;  // a square bar's first two are twins
   const double hertz = body.first() / (2 * pi);
-  const double of_other = solved_body(on_meshes(scene, another_mesh(scene)), few).first() / (2 * pi);
-  return {hertz, std::abs(hertz - of_other) + rounding_of_frequency(body.modes, body.first()) * hertz};
+  const auto [meshes, bar_per_distance] = another_mesh(scene);
+  const double of_other = solved_body(on_meshes(scene, meshes), few).first() / (2 * pi);
+  return {hertz,
+          bar_per_distance * std::abs(hertz - of_other) + rounding_of_frequency(body.modes, body.first()) * hertz};
 }
 
 ModesAgainstSteps modes_against_steps(const AnalysisContext& context, const SolvedBody& body, const Scene& scene) {

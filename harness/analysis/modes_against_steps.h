@@ -22,7 +22,7 @@ struct SolvedBody {
 SolvedBody solved_body(const Scene& scene, int n_modes);
 
 struct BarredFrequency {
-  double hertz, bar;  // of the first elastic mode; distance to that of another mesh of the scene, and rounding
+  double hertz, bar;  // of the first elastic mode; of its mesh (another_mesh), and rounding
 };
 BarredFrequency first_frequency(const SolvedBody& body, const Scene& scene);
 

@@ -27,8 +27,8 @@ Finding multiplets_table() {
       "Elastic modes of the body's mesh whose eigenvalues differ by at most 1e-6 of themselves stand together. "
       "Block Lanczos iterations beside a dense solver of the whole matrix. Gap: to the next eigenvalue "
       "above or below, relative. Subspace distance: sine of the largest angle between what the two solvers "
-      "span, in the M norm; of the order of the residual over the gap. Bars: of a frequency the "
-      "distance to that of another mesh of the case and what two solvers share, rounding of K and M, "
+      "span, in the M norm; of the order of the residual over the gap. Bars: of a frequency twice the distance to that "
+      "of the finer mesh of the case and what two solvers share, rounding of K and M, "
       "eps lambda_max/(2 lambda) of it; of the difference of frequency that, of the gap twice that.",
       {{"first mode", ""},
        {"multiplicity", ""},
@@ -53,6 +53,7 @@ Finding kept(const Modes& modes, const VectorXd& lambda, const std::vector<int>&
     const Index n = leading(modes, r).size();
     if (n == modes.n_rigid || n == lambda.size()) continue;
     found.rows.push_back({count(r), count(n - modes.n_rigid), lambda[n] / lambda[n - 1] - 1});
+    bar_last_row(found, {{"gap at the cut", 2 * rounding_of_frequency(modes, std::sqrt(lambda[n - 1]))}});
   }
   return found;
 }
@@ -100,7 +101,8 @@ Finding answers(const System& system, const Modes& modes, const ModalForm& dense
 
 std::vector<Finding> multiplets(const AnalysisContext& context) {
   const int most = mode_counts(context).back();
-  const VectorXd on_another_mesh = modal_body(context, most, another_mesh(*context.scene)).modes.omega;
+  const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
+  const VectorXd on_another_mesh = modal_body(context, most, meshes).modes.omega;
   const ModalBody body = modal_body(context, most);  // last: the context has one model at a time
   System undamped = body.system;
   if (undamped.M.rows() > largest_dense)
@@ -117,7 +119,8 @@ std::vector<Finding> multiplets(const AnalysisContext& context) {
                           each.difference, each.distance, each.distance * each.gap});
     const double rounding = rounding_of_frequency(body.modes, each.omega);
     const Index i = each.multiplet.first;
-    const double mesh = i < on_another_mesh.size() ? std::abs(on_another_mesh[i] - each.omega) / (2 * pi) : infinity;
+    const double off = i < on_another_mesh.size() ? std::abs(on_another_mesh[i] - each.omega) / (2 * pi) : infinity;
+    const double mesh = bar_per_distance * off;
     bar_last_row(
         found, {{"frequency", mesh + rounding * hertz}, {"gap", 2 * rounding}, {"difference of frequency", rounding}});
   }

@@ -55,8 +55,8 @@ std::vector<Finding> probe_extremes(const AnalysisContext& context) {
   table.title = "Largest and smallest probe values";
   table.note =
       "By the parabola through the extreme sample and its neighbours. Static: displacement under the loads at the end, "
-      "body's mesh; a free body in balance with its inertia; its bar, the distance to that of another mesh of the "
-      "case. Over it: the extreme on its side.";
+      "body's mesh; a free body in balance with its inertia; its bar, twice the distance to that of the finer mesh of "
+      "the case. Over it: the extreme on its side.";
   table.columns = {{"probe", ""},     {"truth", ""},          {"largest", "m"}, {"at (largest)", "s"},
                    {"smallest", "m"}, {"at (smallest)", "s"}, {"static", "m"},  {"largest/static", "-"}};
   const auto add = [&](const Probe& probe, Index place, const char* name, const Trajectory& truth, double at_rest) {

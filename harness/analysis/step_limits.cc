@@ -26,18 +26,25 @@ struct Subject {
   VectorXd omega, zeta;  // modes looked at; of full order the lowest and the highest
   std::function<std::optional<SteppedMode>(Index)> mode;
   long most_steps;
-  VectorXd off;  // [-] of omega on another mesh, relative: bars; of full order none, as its limit is that mesh's own
+  VectorXd off;  // [-] of omega by the mesh, relative: bars; of full order none, as its limit is that mesh's own
+};
+
+struct Beside {
+  VectorXd omega;  // on another mesh
+  double bar_per_distance;
 };
 
 // Relative, NaN where the other mesh has no such mode; rounding of K and M added.
-VectorXd distance_of_frequencies(const Modes& modes, const VectorXd& omega, const VectorXd& on_another_mesh) {
+VectorXd bars_of_frequencies(const Modes& modes, const VectorXd& omega, const Beside& beside) {
   VectorXd off = VectorXd::Constant(omega.size(), nan);
-  for (Index i = 0; i < std::min(omega.size(), on_another_mesh.size() - modes.n_rigid); ++i)
-    off(i) = std::abs(on_another_mesh(modes.n_rigid + i) / omega(i) - 1) + rounding_of_frequency(modes, omega(i));
+  for (Index i = 0; i < std::min(omega.size(), beside.omega.size() - modes.n_rigid); ++i) {
+    const double distance = std::abs(beside.omega(modes.n_rigid + i) / omega(i) - 1);
+    off(i) = beside.bar_per_distance * distance + rounding_of_frequency(modes, omega(i));
+  }
   return off;
 }
 
-Subject reduced_subject(const ModalBody& body, int r, const VectorXd& on_another_mesh) {
+Subject reduced_subject(const ModalBody& body, int r, const Beside& beside) {
   const Modes modes = leading(body.modes, r);
   const Index n_rigid = modes.n_rigid, n = modes.size() - n_rigid;
   System system = project(body.system, modes);
@@ -55,7 +62,7 @@ Subject reduced_subject(const ModalBody& body, int r, const VectorXd& on_another
           zeta,
           mode,
           most_steps,
-          distance_of_frequencies(modes, omega, on_another_mesh)};
+          bars_of_frequencies(modes, omega, beside)};
 }
 
 // run: as integrators get it; seen: with the mass they step with as its only one.
@@ -230,12 +237,13 @@ void expect_modes_apart(const ModalBody& body) {
 
 std::vector<Finding> step_limits(const AnalysisContext& context) {
   const std::vector<int> counts = mode_counts(context);
-  const VectorXd on_another_mesh = modal_body(context, counts.back(), another_mesh(*context.scene)).modes.omega;
+  const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
+  const Beside beside{modal_body(context, counts.back(), meshes).modes.omega, bar_per_distance};
   const ModalBody body = modal_body(context, counts.back());  // last: the context has one model at a time
   expect_modes_apart(body);
   std::vector<Subject> subjects;
   for (const int r : counts) {
-    subjects.push_back(reduced_subject(body, r, on_another_mesh));
+    subjects.push_back(reduced_subject(body, r, beside));
     const size_t n = subjects.size();
     if (n > 1 && subjects[n - 1].r == subjects[n - 2].r) subjects.pop_back();  // one multiplet, or no more modes
   }

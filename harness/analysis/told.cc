@@ -24,13 +24,14 @@ TruthSet neighbour_of(const TruthSet& truth) {
 struct OnAnotherMesh {
   std::shared_ptr<const Scene> scene;
   TruthSet truth;
+  double bar_per_distance;
 };
 OnAnotherMesh on_another_mesh(const AnalysisContext& context) {
   const Scene& scene = *context.scene;
-  const Resolution mesh = another_mesh(scene);
+  const auto [mesh, bar_per_distance] = another_mesh(scene);
   TruthSet truth = context.truth;
   truth.same_mesh = truth.loose = mesh == scene.truth.finer ? truth.finer : truth.coarser;
-  return {std::make_shared<const Scene>(on_meshes(scene, mesh)), std::move(truth)};
+  return {std::make_shared<const Scene>(on_meshes(scene, mesh)), std::move(truth), bar_per_distance};
 }
 
 double number(const FindingCell& cell) { return cell.index() == 1 ? std::get<double>(cell) : nan; }
@@ -55,7 +56,7 @@ double distance(const FindingColumn& column, const FindingCell& a, const Finding
 
 }  // namespace
 
-void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours) {
+void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, double per_distance) {
   for (Finding& finding : findings) {
     const auto other = std::ranges::find(neighbours, finding.name, &Finding::name);
     if (other == neighbours.end()) continue;
@@ -66,7 +67,8 @@ void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighb
       const auto &row = finding.rows[i], &beside = other->rows[i];
       if (!tell_of_the_same(finding.columns, row, beside, counts_too)) continue;
       for (std::size_t j = 0; j < row.size(); ++j)
-        finding.bars[i][j] = std::fmax(finding.bars[i][j], distance(finding.columns[j], row[j], beside[j]));
+        finding.bars[i][j] =
+            std::fmax(finding.bars[i][j], per_distance * distance(finding.columns[j], row[j], beside[j]));
     }
   }
 }
@@ -88,7 +90,8 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
   }
   if (analysis.of_mesh) {
     const OnAnotherMesh other = on_another_mesh(context);
-    add_bars(findings, analysis.run({other.scene, context.catalogue, other.truth, context.model}));
+    add_bars(findings, analysis.run({other.scene, context.catalogue, other.truth, context.model}),
+             other.bar_per_distance);
   }
   for (Finding& finding : findings) {
     bar_fits(finding);

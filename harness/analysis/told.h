@@ -1,6 +1,7 @@
 // What an analysis finds, with what it is held to and an error bar beside every number that follows from the truth of
 // the case or from the body's mesh: the distance of the same tables told of the truth's neighbour, `coarser` in the
-// place of `finer` and rtol in that of rtol/100 (harness/study/truth.h), or of another mesh, the larger of both.
+// place of `finer` and rtol in that of rtol/100 (harness/study/truth.h), or twice that to `finer` in the place of the
+// body's mesh (another_mesh), the larger of both.
 #pragma once
 
 #include "harness/analysis/analysis.h"
@@ -10,9 +11,9 @@ namespace mb {
 // Throws as the analysis does. Scenes with contact are not told twice: their budget has its own neighbours.
 std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& context);
 
-// bars = |cell - cell of the other| where tables and the texts that a row begins with are the same, and, where one has
-// more rows, the counts with them; else NaN. Bars that a table has of its own stay where they are larger.
-void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours);
+// bars = per_distance |cell - cell of the other| where tables and the texts that a row begins with are the same, and,
+// where one has more rows, the counts with them; else NaN. Bars that a table has of its own stay where they are larger.
+void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, double per_distance = 1);
 
 // A column "standard error" becomes the bar of the fit in the column before it, unless that has a larger one.
 void bar_fits(Finding& finding);

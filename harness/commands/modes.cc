@@ -53,26 +53,31 @@ struct Told {
   VectorXd bar;            // [rad/s] of the frequencies
 };
 
-// Distance to the frequency on the case's other mesh, infinity where it has no such mode, and rounding.
-VectorXd bars(const Modes& modes, const VectorXd& omega_of_other, Index count) {
+// Of a body on the case's other mesh.
+struct Beside {
+  const Body& body;
+  double bar_per_distance;
+};
+
+// Of the mesh (another_mesh), infinity where the other has no such mode, and rounding.
+VectorXd bars(const Modes& modes, const VectorXd& omega_of_other, double bar_per_distance, Index count) {
   VectorXd all = VectorXd::Zero(count);
   for (Index i = modes.n_rigid; i < count; ++i) {
     const double omega = modes.omega[i];
     all[i] = i < omega_of_other.size()
-                 ? std::abs(omega_of_other[i] - omega) + rounding_of_frequency(modes, omega) * omega
+                 ? bar_per_distance * std::abs(omega_of_other[i] - omega) + rounding_of_frequency(modes, omega) * omega
                  : std::numeric_limits<double>::infinity();
   }
   return all;
 }
 
 Told told(const Scene& scene, const Body& body, const FullModel& full, const Modes& modes, Index count,
-          const VectorXd& omega_of_other) {
+          const VectorXd& bar) {
   const MatrixXd Phi = modes.Phi.leftCols(count);
   const MatrixXd Mr = translated_mass(full, evaluation_points(scene, body).volume, body.material.density);
   MatrixXd shares = participation(Phi, Mr, body.material.density * full.mesh_volume());
   shares = shares.unaryExpr([](double share) { return share < 1e-12 ? 0 : share; });  // rounding
-  return {
-      modes, count, multiplicities(modes), polynomial_degrees(full, Phi), shares, bars(modes, omega_of_other, count)};
+  return {modes, count, multiplicities(modes), polynomial_degrees(full, Phi), shares, bar};
 }
 
 VectorXd frequencies(const Scene& scene, const Body& body, int most) {
@@ -82,15 +87,15 @@ VectorXd frequencies(const Scene& scene, const Body& body, int most) {
       .omega;
 }
 
-// beside: the body on the case's other mesh.
-Told computed(const Scene& scene, const Body& body, const Body& beside, int most) {
-  const VectorXd omega_of_other = frequencies(scene, beside, most);
+Told computed(const Scene& scene, const Body& body, const Beside& beside, int most) {
+  const VectorXd omega_of_other = frequencies(scene, beside.body, most);
   const auto full = full_model(scene, body, body.resolution, modes_of_a_mesh);
   const System& system = full->system();
   const Index n = system.u0.size(), n_rigid = system.R.cols();
   const Index count = std::min<Index>(most, n);
   const int n_elastic = static_cast<int>(std::max<Index>(0, count - n_rigid));
-  return told(scene, body, *full, lowest_modes(system, n_elastic, physical_shift(body)), count, omega_of_other);
+  const Modes modes = lowest_modes(system, n_elastic, physical_shift(body));
+  return told(scene, body, *full, modes, count, bars(modes, omega_of_other, beside.bar_per_distance, count));
 }
 
 std::string degree_text(int degree) {
@@ -111,7 +116,7 @@ void print_table(const Told& all, std::ostream& out) {
                share(1), share(2), i < all.modes.n_rigid ? "rigid" : "elastic");
   }
   fmt::print(out,
-             "\n+-: the distance to the frequency on the case's other mesh, and rounding\ndegree: the least of a "
+             "\n+-: twice the distance to the frequency on the case's finer mesh, and rounding\ndegree: the least of a "
              "polynomial displacement in x, y, z, as the supports admit it, that holds {:g} % "
              "of the mode's M norm squared\nx, y, z: participation, the effective modal mass along the axis as a share "
              "of the body's mass\n",
@@ -145,10 +150,11 @@ void print_json(const Scene& scene, const Body& body, const Told& all, std::ostr
 int modes_command(const ModesOptions& options, const Catalogue& catalogue, const Console& console) {
   const Scene scene = read_toml(find_case(options.case_name), catalogue.vocabulary());
   const Body& body = find_body(scene, options.body);
-  const Scene other = on_meshes(scene, another_mesh(scene));
-  const Body& beside = other.bodies[static_cast<size_t>(&body - scene.bodies.data())];
+  const auto [meshes, bar_per_distance] = another_mesh(scene);
+  const Scene other = on_meshes(scene, meshes);
+  const Beside beside{other.bodies[static_cast<size_t>(&body - scene.bodies.data())], bar_per_distance};
   const double needed =
-      std::max(memory_of_modes(scene, body, options.count), memory_of_modes(scene, beside, options.count));
+      std::max(memory_of_modes(scene, body, options.count), memory_of_modes(scene, beside.body, options.count));
   require_memory(needed, available_memory());
   try {
     const Told all = computed(scene, body, beside, options.count);
