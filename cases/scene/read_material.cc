@@ -52,7 +52,7 @@ std::optional<Material> read_isotropic(Section& section) {
     section.error(
         "poissons_ratio",
         fmt::format("so near the end of its range moduli of shear and of volume are {:.0e} apart: the stiffness "
-                    "matrix keeps no digits of the smaller",
+                    "matrix loses half of the digits of the smaller and more",
                     1 / least),
         fmt::format("1 - 2 nu and 1 + nu must be at least {:.0e}", nearest));
   return Material{*modulus, *ratio, 1};
