@@ -252,7 +252,8 @@ int harness_main(int argc, char** argv, const Catalogue& catalogue) {
   add_doctor(app, action);
   add_clean(app, catalogue, action);
   const Console console{std::cout, std::cerr};
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);                     // a file that may not grow further is an error like a full disk
+  if (!is_counting()) end_interrupted_on_signals();  // who counts ends by the signal itself: its parent tells
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

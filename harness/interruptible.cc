@@ -40,16 +40,30 @@ void on_interrupt(int) {
   ::alarm(Interruptible::patience);
 }
 
+[[noreturn]] void end_interrupted(int) {
+  static constexpr char text[] = "interrupted\n";
+  told(text, sizeof text - 1);
+  std::_Exit(130);
+}
+
+// What was ignored stays so.
+void (*handled(int signal, void (*handler)(int)))(int) {
+  const auto before = std::signal(signal, handler);
+  if (before == SIG_IGN) std::signal(signal, SIG_IGN);
+  return before;
+}
+
 }  // namespace
+
+void end_interrupted_on_signals() {
+  for (const int signal : signals) handled(signal, end_interrupted);
+}
 
 Interruptible::Interruptible(const std::string& words) {
   n_last_words = words.copy(last_words.data(), last_words.size());
   interrupt_requested = 0;
   own_process = getpid();
-  for (size_t i = 0; i < signals.size(); ++i) {
-    before_[i] = std::signal(signals[i], on_interrupt);
-    if (before_[i] == SIG_IGN) std::signal(signals[i], SIG_IGN);
-  }
+  for (size_t i = 0; i < signals.size(); ++i) before_[i] = handled(signals[i], on_interrupt);
   std::signal(SIGALRM, end_at_once);
 }
 

@@ -24,6 +24,10 @@ class Interruptible {
   std::array<void (*)(int), 3> before_{};
 };
 
+// From then on those signals end the program at once, with 130 and a word of it, where nothing Interruptible is there;
+// what was ignored stays so.
+void end_interrupted_on_signals();
+
 bool interrupted();  // since the last Interruptible was made
 
 }  // namespace mb

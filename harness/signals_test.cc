@@ -59,6 +59,22 @@ TEST(SignalCases, WhatEndsTheFirstProcessEndsAllCleanly) {
     }
 }
 
+// What keeps nothing ends at once, by its exit code all the same.
+TEST(SignalCases, WhatStoresNothingEndsAtOnce) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const ScratchFolder scratch;
+    std::string words = small_case();
+    const std::string finer = "degree = 3, cells = [1, 2]";
+    written(scratch / "case.toml", words.replace(words.find(finer), finer.size(), "degree = 4, cells = [2, 8]"));
+    Process process(scratch.path(), {"modes", "case.toml", "--count", "300"});
+    ASSERT_FALSE(process.ends_within(0.5)) << process.err();
+    process.send(signal);
+    EXPECT_TRUE(process.ends_within(10));
+    EXPECT_EQ(process.code(), 130) << process.err();
+    EXPECT_EQ(process.err(), "interrupted\n");
+  }
+}
+
 // Runs of a minute each, whose end nobody waits for: one signal is enough, and the last words are those of a good end.
 TEST(SignalCases, WhatTakesLongIsNotWaitedFor) {
   for (const char* jobs : {"1", "2"}) {

@@ -81,10 +81,14 @@ void print_kept_unknown(const Inventory& all, std::ostream& err) {
   if (all.n_strangers > 0) fmt::print(err, "{} files that are not ours: left alone\n", all.n_strangers);
 }
 
-// Number of files that could not be removed.
+// Number of files that could not be removed. A run may have written one anew since it was read.
 int remove_all(const std::vector<StoredFile>& files, std::ostream& err) {
   int n_failed = 0;
   for (const StoredFile& file : files) {
+    if (const Stamp now = stamp_of(file.path); now != Stamp() && now != file.stamp) {
+      fmt::print(err, "{}: written meanwhile: stays\n", printable(file.path.string(), most_shown));
+      continue;
+    }
     std::error_code error;
     fs::remove(file.path, error);
     if (!error) continue;

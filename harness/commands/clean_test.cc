@@ -2,6 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <ostream>
+#include <sstream>
+
 #include "harness/commands/inventory.h"
 #include "harness/commands/told_test.h"
 #include "harness/commands/usage_error.h"
@@ -103,6 +107,37 @@ TEST_F(CleanTest, SaysWhatWouldGoAndDeletesNothing) {
   EXPECT_THAT(said.out, HasSubstr("no longer so"));
   EXPECT_THAT(said.err, HasSubstr("nothing was deleted"));
   EXPECT_TRUE(holds("records/" + old_hash + ".jsonl"));
+}
+
+// Does something when clean says what goes, before it goes.
+class OnGoes : public std::stringbuf {
+ public:
+  explicit OnGoes(std::function<void()> act) : act_(std::move(act)) {}
+
+ protected:
+  std::streamsize xsputn(const char* text, std::streamsize n) override {
+    if (std::string(text, static_cast<std::size_t>(n)).find("goes") == 0) act_();
+    return std::stringbuf::xsputn(text, n);
+  }
+
+ private:
+  std::function<void()> act_;
+};
+
+// As a run does that finds it damaged.
+TEST_F(CleanTest, WhatIsWrittenMeanwhileStays) {
+  const std::string file = "trajectories/" + current + ".h5";
+  written(folder / "results" / file, "damaged");
+  OnGoes meanwhile([&] { store.write_trajectory(current, trajectory()); });
+  std::ostream out(&meanwhile);
+  const test::Told said = test::told(folder.path(), [&](const Console& c) {
+    return clean_command({.store = "results", .yes = true}, catalogue, {out, c.err});
+  });
+  EXPECT_EQ(said.code, 0);
+  EXPECT_THAT(said.err, HasSubstr("damaged: results/" + file));
+  EXPECT_THAT(said.err, HasSubstr(file + ": written meanwhile: stays"));
+  EXPECT_NO_THROW(store.read_trajectory(current));
+  EXPECT_FALSE(holds("trajectories/" + old_hash + ".h5"));
 }
 
 TEST_F(CleanTest, TablesOfOtherSettingsGoUnderTheirName) {

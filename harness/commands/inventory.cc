@@ -1,5 +1,7 @@
 #include "harness/commands/inventory.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -126,10 +128,9 @@ double age_of(const fs::path& path) {
   return error ? 0 : std::chrono::duration<double>(fs::file_time_type::clock::now() - written).count();
 }
 
-void take(Inventory& all, const fs::path& path, const Shelf& shelf, const Survey& survey) {
-  std::error_code error;
-  StoredFile file{path,         shelf.name,     path.stem(), static_cast<double>(fs::file_size(path, error)),
-                  age_of(path), State::current, ""};
+void take(Inventory& all, const fs::path& path, const Stamp& stamp, const Shelf& shelf, const Survey& survey) {
+  StoredFile file{path,         shelf.name,     path.stem(), static_cast<double>(stamp.size),
+                  age_of(path), State::current, "",          stamp};
   if (const auto hash = unfinished_hash(path.filename(), shelf.ending); !hash.empty() && file.age > longest_write) {
     file.hash = hash;
     file.state = State::unfinished;
@@ -152,29 +153,45 @@ void take_unfinished_results(Inventory& all, const fs::path& store) {
     const std::string found = entry.path().filename();
     if (!fs::is_regular_file(entry.symlink_status()) || !found.starts_with(name) || found.size() != name.size() + 6)
       continue;
-    StoredFile file{
-        entry.path(),         "results",         "", static_cast<double>(fs::file_size(entry.path(), error)),
-        age_of(entry.path()), State::unfinished, ""};
+    const Stamp stamp = stamp_of(entry.path());
+    StoredFile file{entry.path(),         "results",         "", static_cast<double>(stamp.size),
+                    age_of(entry.path()), State::unfinished, "", stamp};
     if (file.age > longest_write) all.files.push_back(file);
   }
 }
 
+using Stamps = std::map<fs::path, Stamp>;  // of regular files; of others none that a file has
+
+Stamps stamps_in(const fs::path& folder) {
+  Stamps all;
+  if (!fs::is_directory(fs::symlink_status(folder))) return all;
+  for (const auto& entry : fs::directory_iterator(folder))
+    all[entry.path()] = fs::is_regular_file(entry.symlink_status()) ? stamp_of(entry.path()) : Stamp();
+  return all;
+}
+
 }  // namespace
 
+Stamp stamp_of(const fs::path& path) {
+  struct stat found {};
+  if (::lstat(path.c_str(), &found) != 0) return {};
+  return {found.st_ino, found.st_mtim.tv_sec * 1'000'000'000 + found.st_mtim.tv_nsec, found.st_size};
+}
+
+// What is written while all is read is not looked at.
 Inventory inventory(const fs::path& store, const std::vector<Scene>& scenes, const Catalogue& catalogue) {
+  std::vector<Stamps> stamps;
+  for (const Shelf& shelf : shelves) stamps.push_back(stamps_in(store / shelf.name));
   const Wanted wanted(scenes, catalogue);
   const Survey survey(store, wanted);
   Inventory all;
-  for (const Shelf& shelf : shelves) {
-    const fs::path folder = store / shelf.name;
-    if (!fs::is_directory(fs::symlink_status(folder))) continue;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (fs::is_regular_file(entry.symlink_status()))
-        take(all, entry.path(), shelf, survey);
-      else
+  for (std::size_t i = 0; i < std::size(shelves); ++i)
+    for (const auto& [path, stamp] : stamps[i]) {
+      if (stamp == Stamp())
         ++all.n_strangers;
+      else
+        take(all, path, stamp, shelves[i], survey);
     }
-  }
   take_unfinished_results(all, store);
   std::sort(all.files.begin(), all.files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
   return all;

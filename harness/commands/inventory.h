@@ -2,6 +2,7 @@
 // would make the same file again.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,6 +11,15 @@
 #include "harness/catalogue.h"
 
 namespace mb {
+
+// Which file stands at a path, as it stands: another one, or one written to since, differs.
+struct Stamp {
+  std::uint64_t inode = 0;
+  std::int64_t written = 0;  // [ns] since the epoch
+  std::int64_t size = -1;    // [byte]
+  bool operator==(const Stamp&) const = default;
+};
+Stamp stamp_of(const std::filesystem::path& path);  // links are not followed; of nothing what no file has
 
 struct StoredFile {
   std::filesystem::path path;
@@ -21,6 +31,7 @@ struct StoredFile {
   // process that was killed while it wrote
   enum class State { current, outdated, unknown, damaged, unfinished } state;
   std::string remark;  // of damaged files the fault, of unknown ones the case's name where it is known
+  Stamp stamp{};       // from before it was read
 };
 
 struct Inventory {

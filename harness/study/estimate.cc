@@ -188,6 +188,16 @@ double of_answer(const Scene& scene) {
   return values * static_cast<double>(scene.bodies.size()) * static_cast<double>(sample_times(scene).size());
 }
 
+// [-] What is timed answers at every frame, and at the end: more times than samples, perhaps.
+double n_times(const Scene& scene) {
+  return static_cast<double>(std::max(sample_times(scene).size(), frame_times(scene).size() + 1));
+}
+
+double of_frames(const Scene& scene) {
+  constexpr double values = 2 * 8 * 3 * 500;  // [byte] of a body at one time, without strain, and once more in its axes
+  return values * static_cast<double>(scene.bodies.size()) * static_cast<double>(frame_times(scene).size() + 1);
+}
+
 // What marks and tables are made of stands beside the answers: these in another frame, weighed, their spectra.
 constexpr double answers_of_marks = 5, answers_of_analyses = 12;  // [-] answers: 3.5 and a closed form, 11
 
@@ -196,9 +206,7 @@ double of_coupled_modes(double n) { return 2 * 8 * 60 * std::pow(n, 2); }
 
 bool is_coupled(const Body& body) { return !body.dashpots.empty(); }
 
-double of_states(const Scene& scene, double n_unknowns) {
-  return 4 * 8 * n_unknowns * static_cast<double>(sample_times(scene).size());
-}
+double of_states(const Scene& scene, double n_unknowns) { return 4 * 8 * n_unknowns * n_times(scene); }
 
 // Body by body: each has modes of its own. Full order keeps what it evaluates alone.
 double of_basis(const Scene& scene, const Contender& contender) {
@@ -243,7 +251,8 @@ double memory_of_modes(const Scene& scene, const Body& body, double n_modes) {
 }
 
 double memory(const Scene& scene, const Job& job) {
-  if (job.kind == Job::Kind::marks) return memory(scene, job.contender) + answers_of_marks * of_answer(scene);
+  if (job.kind == Job::Kind::marks)
+    return memory(scene, job.contender) + std::max(answers_of_marks * of_answer(scene), of_frames(scene));
   Contender widest{"eigenmodes", "exact", own_meshes(scene), {}};
   for (const int r : scene.study.modes) widest.settings.modes = std::max(widest.settings.modes, r);
   return memory(scene, widest) + answers_of_analyses * of_answer(scene);

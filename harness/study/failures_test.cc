@@ -204,6 +204,37 @@ TEST(FailureCases, AShortageOfMemoryTakesNoMarksAway) {
   EXPECT_EQ(modalbench(scratch.path(), {"run", "case.toml"}).code, 0);
 }
 
+// What another process stores of its shortage while answers are computed gives way to them, and takes none away.
+TEST(FailureCases, AShortageOfAnotherProcessTakesNoAnswerAway) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", replaced(small_case(), "[study]\n", "[study]\nanalyses = [\"probe-extremes\"]\n"));
+  const auto scene = std::make_shared<const Scene>(read_toml(scratch / "case.toml", default_catalogue().vocabulary()));
+  const Store store(scratch / "results");
+  const auto starve = [&](bool again) {
+    RunOptions options;
+    options.memory = 1e4;
+    options.timed = false;
+    options.again = again;
+    return run_case(scene, default_catalogue(), store, options, [](const std::string&) {}).n_failed;
+  };
+  RunOptions options;
+  options.timed = false;
+  int n_starved = 0;
+  const auto after_the_first = [&](const std::string& said) {
+    if (said.starts_with("[1/")) n_starved = starve(false);
+  };
+  EXPECT_EQ(run_case(scene, default_catalogue(), store, options, after_the_first).n_failed, 0);
+  EXPECT_GE(n_starved, 4) << "three runs and the table";
+  const auto expect_sound = [&] {
+    for (const Record& r : store.read_all_records().records) EXPECT_EQ(r.status, "ok") << r.metric;
+    for (const Finding& f : store.read_all_findings().findings) EXPECT_FALSE(is_failure(f)) << f.note;
+    EXPECT_EQ(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).code, 0);
+  };
+  expect_sound();
+  EXPECT_EQ(starve(true), n_starved + 1);
+  expect_sound();
+}
+
 // Rivals that are the truths themselves: under one name stand their marks, their times and what the truth contains.
 TEST(FailureCases, TruthsLeaveTheTimesOfTheirTwinsAlone) {
   const ScratchFolder scratch;

@@ -22,12 +22,13 @@ using Changes = std::vector<std::pair<std::string, std::string>>;  // from, to
 struct Taken {
   double peak, estimated;
 };
-Taken taken(std::string words, const Changes& changes) {
+Taken taken(std::string words, const Changes& changes, bool timed = false) {
   for (const auto& [from, to] : changes) words.replace(words.find(from), from.size(), to);
   const ScratchFolder folder;
   const fs::path file = folder / "case.toml";
   written(file, words);
-  Process run(folder.path(), {"run", "case.toml", "--untimed"});
+  Process run(folder.path(), timed ? std::vector<std::string>{"run", "case.toml"}
+                                   : std::vector<std::string>{"run", "case.toml", "--untimed"});
   EXPECT_EQ(run.code(), 0) << run.err();
   const Scene scene = read_toml(file, default_catalogue().vocabulary());
   double most = 0;
@@ -37,8 +38,9 @@ Taken taken(std::string words, const Changes& changes) {
 
 // The peak grows by what is estimated at most, and by a quarter of it at least: an estimate of ten times what is needed
 // would refuse what fits.
-void expect_growth_as_estimated(const std::string& words, const Changes& small, const Changes& large) {
-  const Taken of_small = taken(words, small), of_large = taken(words, large);
+void expect_growth_as_estimated(const std::string& words, const Changes& small, const Changes& large,
+                                bool timed = false) {
+  const Taken of_small = taken(words, small, timed), of_large = taken(words, large, timed);
   const double grown = of_large.peak - of_small.peak, expected = of_large.estimated - of_small.estimated;
   EXPECT_LT(grown, expected);
   EXPECT_GT(grown, expected / 4);
@@ -52,6 +54,19 @@ TEST(MemoryCases, GrowsWithSamplesNoFasterThanEstimated) {
                    {"[study]\n", "[study]\nanalyses = [\"budget\", \"aliasing\", \"probe-extremes\"]\n"}};
   };
   expect_growth_as_estimated(small_case("1"), at(2500), at(12500));
+}
+
+// A contender of every mode of the mesh beside those of small_case.
+std::string with_full_basis() {
+  std::string words = small_case("1");
+  const std::string methods = "[\"static-correction\"";
+  return words.insert(words.find(methods) + methods.size(), ", \"full\"");
+}
+
+// What is timed answers at every frame: by every mode of the mesh, whose states are the most.
+TEST(MemoryCases, GrowsWithFramesNoFasterThanEstimated) {
+  const auto at = [](int rate) { return Changes{{"frame_rate = 60", fmt::format("frame_rate = {}", rate)}}; };
+  expect_growth_as_estimated(with_full_basis(), at(50000), at(250000), true);
 }
 
 // Another mesh of the body, and of its truths likewise.
@@ -71,13 +86,6 @@ TEST(MemoryCases, GrowsWithMeshesNoFasterThanEstimated) {
     return all;
   };
   expect_growth_as_estimated(small_case("1"), of(3), of(5));
-}
-
-// A contender of every mode of the mesh beside those of small_case.
-std::string with_full_basis() {
-  std::string words = small_case("1");
-  const std::string methods = "[\"static-correction\"";
-  return words.insert(words.find(methods) + methods.size(), ", \"full\"");
 }
 
 // By a dense solver.

@@ -127,16 +127,9 @@ class CaseRun {
       throw;
     } catch (const std::exception& error) {
       const Record record = failed_truth(*scene_, error.what());
-      if (!holds_answers(record.run)) store_.write_records(record.run, {record});
+      if (!holds_answers(store_, record.run)) store_.write_records(record.run, {record});
       throw;
     }
-  }
-
-  // Whether sound records stand under that name, none of which says that it failed.
-  bool holds_answers(const std::string& run) const {
-    if (!store_.has_records(run)) return false;
-    const RecordLines lines = store_.read_records_of(run);
-    return lines.refused.empty() && std::ranges::none_of(lines.records, [](const Record& r) { return is_failure(r); });
   }
 
   // The truth's own marks: what it contains, and how far the body's mesh is from it. A contender that is the truth
@@ -156,7 +149,7 @@ class CaseRun {
     std::vector<Record> missing;
     for (const Contender& contender : truth_contenders(*scene_))
       if (const Record one = base(contender);
-          std::ranges::find(all_, one.run, &Job::hash) == all_.end() && !holds_answers(one.run))
+          std::ranges::find(all_, one.run, &Job::hash) == all_.end() && !holds_answers(store_, one.run))
         missing.push_back(one);
     return missing;
   }
@@ -169,9 +162,9 @@ class CaseRun {
       record.modes_used = ready.prepared->modes_used();
       record.n_unknowns = ready.prepared->n_unknowns();
       StoredJob found = stored(job, store_);
-      const bool again = options_.again || !found.has_result;
+      const bool again = options_.again || !found.is_sound();
       std::vector<Record> records = again ? marks(grader, record, ready) : std::move(found.marks);
-      const bool meanwhile = !options_.again && stored(job, store_).has_result;  // by another process: its times stay
+      const bool meanwhile = !options_.again && stored(job, store_).is_sound();  // by another process: its times stay
       if (again && !meanwhile) store_.write_records(record.run, records);
       outcome_.n_failed += std::ranges::any_of(records, [](const Record& r) { return is_failure(r); });
       // What gave no answer has no time.
@@ -185,7 +178,8 @@ class CaseRun {
       throw;  // a store that cannot be written is not the contender's failure
     } catch (const std::exception& error) {
       const std::string why = failure_text(error, memory(*scene_, job));
-      if (!holds_answers(record.run)) store_.write_records(record.run, grader.failure(record, "failed: " + why));
+      if (!holds_answers(store_, record.run))
+        store_.write_records(record.run, grader.failure(record, "failed: " + why));
       ++outcome_.n_failed;
       progress_(fmt::format("{} {} · {} · failed: {}", count, scene_->name, job.label, one_line(why, most_told)));
     }
@@ -228,6 +222,7 @@ class CaseRun {
     const AnalysisContext context{scene_, catalogue_, truth,
                                   [this](const Resolution& r) -> const Model& { return bench_.model(r); }};
     std::string said;
+    bool failed = false;
     try {
       require_memory(memory(*scene_, job), options_.memory ? options_.memory : available_memory());
       const double time = seconds([&] { findings = told(analysis(job.analysis), context); });
@@ -237,15 +232,11 @@ class CaseRun {
       said = "failed: " + one_line(why, most_told);
       if (stop()) return progress_(fmt::format("{} {} · {} · {}", count, scene_->name, job.label, said));
       findings = {failed_table(job.analysis, why)};
+      failed = true;
       ++outcome_.n_failed;
     }
-    for (Finding& finding : findings) {
-      finding.run = job.hash;
-      finding.case_name = scene_->name;
-      finding.profile = scene_->profile;
-      finding.provenance = provenance(scene_->profile);
-    }
-    store_.write_findings(job.hash, findings);
+    sign(findings, *scene_, job.hash);
+    if (!failed || !stored(job, store_).is_sound()) store_.write_findings(job.hash, findings);  // what stands stays
     progress_(fmt::format("{} {} · {} · {}", count, scene_->name, job.label, said));
   }
 
@@ -271,7 +262,21 @@ class CaseRun {
       record.modes_used = marked.modes_used;
       record.n_unknowns = marked.n_unknowns;
       progress_(fmt::format("{} · timing {}", scene_->name, label(record.contender)));
-      store_.write_times(run, bench_.times(grader, record, bench_.prepare(record.contender), any_time));
+      time(grader, record);
+    }
+  }
+
+  void time(const Grader& grader, const Record& record) {
+    const Job job{Job::Kind::marks, record.run, label(record.contender), record.contender, ""};
+    try {
+      require_memory(memory(*scene_, job), options_.memory ? options_.memory : available_memory());
+      store_.write_times(record.run, bench_.times(grader, record, bench_.prepare(record.contender), any_time));
+    } catch (const StoreError&) {
+      throw;
+    } catch (const std::exception& error) {  // its marks stand, and its times are asked for again
+      ++outcome_.n_failed;
+      progress_(fmt::format("{} · timing {} · failed: {}", scene_->name, job.label,
+                            one_line(failure_text(error, memory(*scene_, job)), most_told)));
     }
   }
 

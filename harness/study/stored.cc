@@ -83,6 +83,21 @@ Record failed_truth(const Scene& scene, const std::string& reason) {
   return record;
 }
 
+bool holds_answers(const Store& store, const std::string& run) {
+  if (!store.has_records(run)) return false;
+  const RecordLines lines = store.read_records_of(run);
+  return lines.refused.empty() && std::ranges::none_of(lines.records, [](const Record& r) { return is_failure(r); });
+}
+
+void sign(std::vector<Finding>& findings, const Scene& scene, const std::string& job) {
+  for (Finding& finding : findings) {
+    finding.run = job;
+    finding.case_name = scene.name;
+    finding.profile = scene.profile;
+    finding.provenance = provenance(scene.profile);
+  }
+}
+
 bool is_failure(const Finding& finding) { return finding.columns.size() == 1 && finding.columns[0].name == failure; }
 
 Finding failed_table(const std::string& analysis, const std::string& reason) {

@@ -18,12 +18,19 @@ Record failed_truth(const Scene& scene, const std::string& reason);
 bool is_failure(const Finding& finding);
 Finding failed_table(const std::string& analysis, const std::string& reason);
 
+// Sets whose findings they are: the job's, of that case and profile, made by this build.
+void sign(std::vector<Finding>& findings, const Scene& scene, const std::string& job);
+
+// Whether sound records stand under that name, none of which says that it failed.
+bool holds_answers(const Store& store, const std::string& run);
+
 struct StoredJob {
   bool has_result = false;           // marks of a contender, or tables of an analysis
   bool has_times = false;            // they are there, or there is nothing whose time could be taken
   bool failed = false;               // the result is that it failed
   std::vector<Record> marks;         // of a contender
   std::vector<RefusedLine> damaged;  // why it is not stored although there are files
+  bool is_sound() const { return has_result && !failed; }
   bool is_complete(bool timed) const { return has_result && (has_times || !timed); }
 };
 StoredJob stored(const Job& job, const Store& store);
