@@ -38,8 +38,8 @@ struct Decision {
 struct BodyTrajectory {
   MatrixXd displacement;  // [m] 3 p x n_t at EvaluationPoints::all()
   MatrixXd strain;        // [-] 6 p x n_t at EvaluationPoints::strained(), or 0 columns where not wanted
-  // In scenes with contact, else of size 0, but for energies of finite kinematics. Displacements of free bodies are then x - X, from the body's
-  // frame to the world.
+  // In scenes with contact, else of size 0, but for energies of finite kinematics. Where there is contact displacements
+  // of free bodies are x - X, from the body's frame to the world.
   ContactHistory contact = {};  // of all its obstacles together, world axes
   VectorXd energy = {};  // [J] kinetic, elastic, of the weight since t = 0 and in contacts; n_t, or 0 where not wanted
   // 6 x n_t, or 0 columns: of free bodies alone, whose supports take none. World axes, by the answer's own mass.

@@ -23,7 +23,7 @@ int count_command(const CountOptions& options, const Catalogue& catalogue, const
     throw UsageError(printable(scene->name, 64) + " has no contact or no contact_steps: nothing to count");
   const std::vector<CountedContender> contenders = counted_contenders(*scene);
   for (const CountedContender& one : contenders)
-    require_memory(memory(*scene, Contender{one.method, one.integrator, own_meshes(*scene), one.settings}),
+    require_memory(memory(*scene, Contender{one.method, one.integrator, own_meshes(*scene), one.settings}, true),
                    available_memory());
   if (is_counting()) {
     count_contest(scene, catalogue);

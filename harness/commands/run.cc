@@ -146,7 +146,7 @@ int n_processes(const Scene& scene, const std::vector<PlannedJob>& plan, std::op
                 const Progress& progress) {
   std::vector<double> needed;
   for (const PlannedJob& one : plan)
-    if (!one.stored) needed.push_back(memory(scene, one.job) + memory_of_answers(scene));
+    if (!one.stored) needed.push_back(memory(scene, one.job, false) + memory_of_answers(scene));
   const int n = processes_that_fit(most, needed, available);
   if (n < most)
     progress(fmt::format("{} · {} of {} processes: no more fit the memory, {:.3g} GB", scene.name, n, most,

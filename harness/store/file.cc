@@ -1,6 +1,7 @@
 #include "harness/store/file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -118,6 +119,15 @@ void remove_file(const std::filesystem::path& file) {
     throw StoreError(file, "cannot be removed: " + reason());
   }
   sync_folder(file.has_parent_path() ? file.parent_path() : ".");
+}
+
+FolderLock::FolderLock(const std::filesystem::path& folder) {
+  make_folder(folder, folder);
+  fd_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  while (fd_ >= 0 && ::flock(fd_, LOCK_EX) != 0 && errno == EINTR) continue;
+}
+FolderLock::~FolderLock() {
+  if (fd_ >= 0) ::close(fd_);  // which ends the lock
 }
 
 std::string read_file(const std::filesystem::path& file, std::uintmax_t max_size) {

@@ -33,6 +33,19 @@ void write_file(const std::filesystem::path& file, std::string_view content,
 // Gone for good when this returns; may be none. Throws StoreError.
 void remove_file(const std::filesystem::path& file);
 
+// One holder of a folder at a time, of threads and processes alike; waits for it. Free as soon as its holder ends,
+// however that does. Makes the folder where it is missing; on file systems without locks nothing is held.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& folder);  // throws StoreError where there can be no folder
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int fd_;
+};
+
 // Throws StoreError for what is no regular file or is larger than max_size [bytes], before anything is allocated.
 std::string read_file(const std::filesystem::path& file, std::uintmax_t max_size);
 

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <future>
 #include <random>
 #include <thread>
 
@@ -116,6 +117,28 @@ TEST(File, AWriterThatIsKilledLeavesAWholeFile) {
     const std::string found = read_file(file, 1 << 22);
     EXPECT_TRUE(found == contents[0] || found == contents[1]) << i;
   }
+}
+
+TEST(File, AFolderHasOneHolderAtATimeHoweverThatEnds) {
+  const ScratchFolder folder;
+  auto lock = std::make_unique<FolderLock>(folder / "store");
+  auto waiting = std::async(std::launch::async, [&] { const FolderLock second(folder / "store"); });
+  EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout);
+  lock.reset();
+  waiting.get();
+  const pid_t holder = ::fork();
+  ASSERT_GE(holder, 0);
+  if (holder == 0) {
+    const FolderLock held(folder / "store");
+    write_file(folder / "held", "");
+    for (;;) ::pause();
+  }
+  while (!std::filesystem::exists(folder / "held")) std::this_thread::yield();
+  ::kill(holder, SIGKILL);
+  ::waitpid(holder, nullptr, 0);
+  const FolderLock after(folder / "store");
+  write_file(folder / "file", "x");
+  EXPECT_THROW(FolderLock(folder / "file"), StoreError);
 }
 
 TEST(File, AFolderThatCannotBeWrittenIsTold) {

@@ -189,8 +189,9 @@ double of_answer(const Scene& scene) {
 }
 
 // [-] What is timed answers at every frame, and at the end: more times than samples, perhaps.
-double n_times(const Scene& scene) {
-  return static_cast<double>(std::max(sample_times(scene).size(), frame_times(scene).size() + 1));
+double n_times(const Scene& scene, bool timed) {
+  const Index frames = timed ? frame_times(scene).size() + 1 : 0;
+  return static_cast<double>(std::max(sample_times(scene).size(), frames));
 }
 
 double of_frames(const Scene& scene) {
@@ -206,10 +207,10 @@ double of_coupled_modes(double n) { return 2 * 8 * 60 * std::pow(n, 2); }
 
 bool is_coupled(const Body& body) { return !body.dashpots.empty(); }
 
-double of_states(const Scene& scene, double n_unknowns) { return 4 * 8 * n_unknowns * n_times(scene); }
+double of_states(double n_unknowns, double n_times) { return 4 * 8 * n_unknowns * n_times; }
 
 // Body by body: each has modes of its own. Full order keeps what it evaluates alone.
-double of_basis(const Scene& scene, const Contender& contender) {
+double of_basis(const Scene& scene, const Contender& contender, bool timed) {
   if (is_full_order(contender)) return 0;
   const bool full = contender.method == "full";
   const double r = contender.settings.modes > 0 ? contender.settings.modes : few_modes;
@@ -218,7 +219,7 @@ double of_basis(const Scene& scene, const Contender& contender) {
     const Body& body = scene.bodies[i];
     const double n = n_dofs(body.shape, of_body(contender.resolution, i), body.theory);
     const double modes = !full ? of_modes(n, r) : contender.integrator == "exact" ? of_all_modes(n) : 0;
-    sum += modes + of_states(scene, full ? n : std::min(n, r));
+    sum += modes + of_states(full ? n : std::min(n, r), n_times(scene, timed));
     if (is_coupled(body) && (!full || contender.integrator == "exact"))  // steps are held to the closed form
       sum += of_coupled_modes(full ? n : std::min(n, r));
   }
@@ -238,8 +239,8 @@ double memory_of_answers(const Scene& scene) { return 5 * of_answer(scene); }
 
 double memory(const Scene& scene, const Resolution& mesh) { return of_mesh(scene, mesh) + of_answer(scene) + program; }
 
-double memory(const Scene& scene, const Contender& contender) {
-  return memory(scene, contender.resolution) + of_basis(scene, contender);
+double memory(const Scene& scene, const Contender& contender, bool timed) {
+  return memory(scene, contender.resolution) + of_basis(scene, contender, timed);
 }
 
 double memory_of_modes(const Scene& scene, const Body& body, double n_modes) {
@@ -250,12 +251,14 @@ double memory_of_modes(const Scene& scene, const Body& body, double n_modes) {
          program;
 }
 
-double memory(const Scene& scene, const Job& job) {
+double memory(const Scene& scene, const Job& job, bool timed) {
+  timed = timed || takes_times(job);
   if (job.kind == Job::Kind::marks)
-    return memory(scene, job.contender) + std::max(answers_of_marks * of_answer(scene), of_frames(scene));
+    return memory(scene, job.contender, timed) +
+           std::max(answers_of_marks * of_answer(scene), timed ? of_frames(scene) : 0);
   Contender widest{"eigenmodes", "exact", own_meshes(scene), {}};
   for (const int r : scene.study.modes) widest.settings.modes = std::max(widest.settings.modes, r);
-  return memory(scene, widest) + answers_of_analyses * of_answer(scene);
+  return memory(scene, widest, timed) + answers_of_analyses * of_answer(scene);
 }
 
 }  // namespace mb

@@ -32,7 +32,7 @@ Estimate estimate(const Scene& scene, const Catalogue& catalogue);
 //                                             faces may touch: responses to their forces beside them
 //   r modes     8 n (7 r + 400) B             Lanczos vectors and their images, the modes, what the gate makes of them
 //   all modes   72 n^2 B                      a dense solver: of more than a third of all, or the closed form of `full`
-//   states      32 k B a sample               of k unknowns: u, v and theirs in modes
+//   states      32 k B a sample               of k unknowns: u, v and theirs in modes; a frame, where it is timed
 //   answers     8 B (3 points + 6 strained points) samples of each body; and 256 MiB
 //   complex     960 k^2 B                     of k modes coupled by a dashpot, in closed form
 //   marks       4 answers, and 12 an analysis: frames, weights and spectra beside them
@@ -43,10 +43,10 @@ Estimate estimate(const Scene& scene, const Catalogue& catalogue);
 double memory(const Scene& scene);                                             // of the truths
 double memory_of_answers(const Scene& scene);                                  // theirs alone, once they are there
 double memory(const Scene& scene, const Resolution& mesh);                     // of one mesh and one answer
-double memory(const Scene& scene, const Contender& contender);                 // that, with its modes and states
+double memory(const Scene& scene, const Contender& contender, bool timed);     // that, with its modes and states
 double memory_of_modes(const Scene& scene, const Body& body, double n_modes);  // of one body's mesh, and modes of it
 // Likewise of a contender's marks; or of an analysis, on the case's own meshes with the largest mode count of the study
 // and with every truth once more: meshes that it makes for itself are not foreseen.
-double memory(const Scene& scene, const Job& job);
+double memory(const Scene& scene, const Job& job, bool timed);
 
 }  // namespace mb

@@ -7,7 +7,8 @@
 //     or has not grown yet. Theory of finite deformation knows rest alone, and counts for nothing there by itself
 //   in contact, by any: energy above that at the start by more than the contact was brought, where nothing else brings
 //     any (energy_fed, harness/metrics/contact_metrics.h)
-//   of finite kinematics, by any: energy that doubles once the last load has ended (harness/metrics/finite_metrics.h)
+//   of finite kinematics, by any: more energy gained once the last load has ended than there ever was until then
+//     (harness/metrics/finite_metrics.h)
 #pragma once
 
 #include <vector>

@@ -32,7 +32,7 @@ Taken taken(std::string words, const Changes& changes, bool timed = false) {
   EXPECT_EQ(run.code(), 0) << run.err();
   const Scene scene = read_toml(file, default_catalogue().vocabulary());
   double most = 0;
-  for (const Job& job : jobs(scene, default_catalogue())) most = std::max(most, memory(scene, job));
+  for (const Job& job : jobs(scene, default_catalogue())) most = std::max(most, memory(scene, job, timed));
   return {run.most_memory(), std::max(memory(scene), memory_of_answers(scene) + most)};
 }
 

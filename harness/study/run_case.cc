@@ -127,7 +127,7 @@ class CaseRun {
       throw;
     } catch (const std::exception& error) {
       const Record record = failed_truth(*scene_, error.what());
-      if (!holds_answers(store_, record.run)) store_.write_records(record.run, {record});
+      keep_failure(store_, record.run, {record});
       throw;
     }
   }
@@ -157,15 +157,14 @@ class CaseRun {
   void compete(const Grader& grader, const Job& job, const std::string& count) {
     Record record = base(job.contender);
     try {
-      require_memory(memory(*scene_, job), options_.memory ? options_.memory : available_memory());
+      require_memory(memory(*scene_, job, options_.timed), options_.memory ? options_.memory : available_memory());
       const ReadyContender ready = bench_.prepare(job.contender);
       record.modes_used = ready.prepared->modes_used();
       record.n_unknowns = ready.prepared->n_unknowns();
       StoredJob found = stored(job, store_);
       const bool again = options_.again || !found.is_sound();
       std::vector<Record> records = again ? marks(grader, record, ready) : std::move(found.marks);
-      const bool meanwhile = !options_.again && stored(job, store_).is_sound();  // by another process: its times stay
-      if (again && !meanwhile) store_.write_records(record.run, records);
+      if (again) keep_marks(store_, job, records, options_.again);
       outcome_.n_failed += std::ranges::any_of(records, [](const Record& r) { return is_failure(r); });
       // What gave no answer has no time.
       if (options_.timed && std::ranges::any_of(records, [](const Record& r) { return r.status == "ok"; })) {
@@ -177,9 +176,8 @@ class CaseRun {
     } catch (const StoreError&) {
       throw;  // a store that cannot be written is not the contender's failure
     } catch (const std::exception& error) {
-      const std::string why = failure_text(error, memory(*scene_, job));
-      if (!holds_answers(store_, record.run))
-        store_.write_records(record.run, grader.failure(record, "failed: " + why));
+      const std::string why = failure_text(error, memory(*scene_, job, options_.timed));
+      keep_failure(store_, record.run, grader.failure(record, "failed: " + why));
       ++outcome_.n_failed;
       progress_(fmt::format("{} {} · {} · failed: {}", count, scene_->name, job.label, one_line(why, most_told)));
     }
@@ -222,21 +220,19 @@ class CaseRun {
     const AnalysisContext context{scene_, catalogue_, truth,
                                   [this](const Resolution& r) -> const Model& { return bench_.model(r); }};
     std::string said;
-    bool failed = false;
     try {
-      require_memory(memory(*scene_, job), options_.memory ? options_.memory : available_memory());
+      require_memory(memory(*scene_, job, options_.timed), options_.memory ? options_.memory : available_memory());
       const double time = seconds([&] { findings = told(analysis(job.analysis), context); });
       said = fmt::format("{} tables · {:.1f} s", findings.size(), time);
     } catch (const std::exception& error) {
-      const std::string why = failure_text(error, memory(*scene_, job));
+      const std::string why = failure_text(error, memory(*scene_, job, options_.timed));
       said = "failed: " + one_line(why, most_told);
       if (stop()) return progress_(fmt::format("{} {} · {} · {}", count, scene_->name, job.label, said));
       findings = {failed_table(job.analysis, why)};
-      failed = true;
       ++outcome_.n_failed;
     }
     sign(findings, *scene_, job.hash);
-    if (!failed || !stored(job, store_).is_sound()) store_.write_findings(job.hash, findings);  // what stands stays
+    keep_tables(store_, job, findings);
     progress_(fmt::format("{} {} · {} · {}", count, scene_->name, job.label, said));
   }
 
@@ -269,14 +265,14 @@ class CaseRun {
   void time(const Grader& grader, const Record& record) {
     const Job job{Job::Kind::marks, record.run, label(record.contender), record.contender, ""};
     try {
-      require_memory(memory(*scene_, job), options_.memory ? options_.memory : available_memory());
+      require_memory(memory(*scene_, job, options_.timed), options_.memory ? options_.memory : available_memory());
       store_.write_times(record.run, bench_.times(grader, record, bench_.prepare(record.contender), any_time));
     } catch (const StoreError&) {
       throw;
     } catch (const std::exception& error) {  // its marks stand, and its times are asked for again
       ++outcome_.n_failed;
       progress_(fmt::format("{} · timing {} · failed: {}", scene_->name, job.label,
-                            one_line(failure_text(error, memory(*scene_, job)), most_told)));
+                            one_line(failure_text(error, memory(*scene_, job, options_.timed)), most_told)));
     }
   }
 

@@ -6,6 +6,7 @@
 #include "cases/contract/status.h"
 #include "cases/scene/printable.h"
 #include "harness/provenance.h"
+#include "harness/store/file.h"
 #include "harness/study/identity.h"
 #include "reports/runs.h"
 
@@ -111,6 +112,22 @@ Finding failed_table(const std::string& analysis, const std::string& reason) {
 
 StoredJob stored(const Job& job, const Store& store) {
   return job.kind == Job::Kind::analysis ? stored_tables(job, store) : stored_marks(job, store);
+}
+
+void keep_failure(const Store& store, const std::string& run, const std::vector<Record>& records) {
+  const FolderLock lock(store.directory());
+  if (!holds_answers(store, run)) store.write_records(run, records);
+}
+
+void keep_marks(const Store& store, const Job& job, const std::vector<Record>& marks, bool replace) {
+  const FolderLock lock(store.directory());
+  if (replace || !stored(job, store).is_sound()) store.write_records(job.hash, marks);
+}
+
+void keep_tables(const Store& store, const Job& job, const std::vector<Finding>& tables) {
+  const FolderLock lock(store.directory());
+  const bool failed = std::ranges::any_of(tables, [](const Finding& f) { return is_failure(f); });
+  if (!failed || !stored(job, store).is_sound()) store.write_findings(job.hash, tables);
 }
 
 }  // namespace mb
