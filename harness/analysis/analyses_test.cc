@@ -162,7 +162,11 @@ TEST_F(AnalysesCases, StepLimitsOfModesHaveTheBarsOfTheirMesh) {
       EXPECT_LT(of_omega, 0.5);
       EXPECT_GT(row.bar("omega max"), 0);
       if (row.number("dt measured") > 0 && std::isfinite(row.number("dt measured"))) {
-        EXPECT_NEAR(row.bar("dt measured") / row.number("dt measured"), of_omega, 1e-12);
+        EXPECT_LT(row.bar("dt measured") / row.number("dt measured"), 2.1 * of_omega) << "of 1/omega^2, and no more";
+      }
+      if (row.text("scheme") == "central-difference" && row.number("zeta") < 0.1) {
+        EXPECT_NEAR(row.bar("dt measured") / row.number("dt measured"), of_omega, of_omega * of_omega)
+            << "1/(1 + x) - 1 is -x but for x^2";
       }
     } else {
       EXPECT_TRUE(std::isnan(row.bar("dt measured")));

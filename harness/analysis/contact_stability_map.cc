@@ -32,8 +32,9 @@ Finding map_table(const MappedMethod& mapped) {
       "contact-stability", mapped.table, "Steps in contact over the layer's stiffness, " + std::string(mapped.in),
       "The first body in modes as titled, thrown against what it meets as in the scene, with other layers and "
       "twelve steps, each half the one before, of explicit Euler in the scene's own layer sixteen; what rests, as fast "
-      "as its weight alone would have it fall. Energy: 1, and what is gained by the "
-      "impact over the kinetic energy along the normal. Unstable: it is more than 1.1, or a step has no solution or "
+      "as its weight alone would have it fall. Energy: 1, and what the motion gains by the "
+      "impact, with what the layer took away from it, over the kinetic energy along the normal. Unstable: it is more "
+      "than 1.1, or a step has no solution or "
       "throws bodies to where nothing is known of their contact. Inaccurate: bounded, and peak force or impulse "
       "more than 5 % off those of kicks at a quarter of the least step. Spectral radius: of one step linearised "
       "about the height of the impact, the layer pressed at one point as hard as over the contact's whole area, "

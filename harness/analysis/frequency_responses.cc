@@ -192,11 +192,6 @@ std::vector<Finding> on_mesh(const AnalysisContext& context, const Probe& probe,
   return std::move(responses).findings();
 }
 
-// A phase turns round once in 360 degrees.
-void turn_bars(Finding& curves) {
-  for (std::vector<double>& bars : curves.bars) bars.back() = std::min(bars.back(), 360 - bars.back());
-}
-
 // Frequencies at which no steady response exists: those of the modes that nothing damps.
 VectorXd resonances(const VectorXd& hertz, const VectorXd& zeta) {
   std::vector<double> undamped;
@@ -224,7 +219,6 @@ std::vector<Finding> frequency_responses(const AnalysisContext& context) {
   std::vector<Finding> found = on_mesh(context, *probe, own_meshes(scene), f, has_peaks);
   const auto [meshes, bar_per_distance] = another_mesh(scene);
   add_bars(found, on_mesh(context, *probe, meshes, f, has_peaks), bar_per_distance);
-  turn_bars(found.front());
   return found;
 }
 

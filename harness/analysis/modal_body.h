@@ -33,7 +33,8 @@ struct ModalBody {
 ModalBody modal_body(const AnalysisContext& context, int n_elastic);
 ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolution& meshes);
 // What tells how far numbers of the own mesh are off: the truth's `finer`. Where the error of that is half of the own's
-// at most, |own - exact| <= 2 |own - finer|; where the own is `finer`, |own - exact| <= |own - coarser| likewise.
+// at most, |own - exact| <= 2 |own - finer|; where the own is `finer`, |own - exact| <= |own - coarser| likewise. What a
+// mesh leaves as it is, as the sides of a cylinder's cells, it tells nothing of: 1e-8 of frequencies of torsion.
 struct AnotherMesh {
   Resolution meshes;
   double bar_per_distance;  // [-] 2, or 1 of `coarser`

@@ -29,7 +29,8 @@ Finding multiplets_table() {
       "above or below, relative. Subspace distance: sine of the largest angle between what the two solvers "
       "span, in the M norm; of the order of the residual over the gap. Bars: of a frequency twice the distance to that "
       "of the finer mesh of the case and what two solvers share, rounding of K and M, "
-      "eps lambda_max/(2 lambda) of it; of the difference of frequency that, of the gap twice that.",
+      "eps lambda_max/(2 lambda) of it; of the difference of frequency that alone, of the gap what it makes of two "
+      "eigenvalues: either is of this mesh's matrices, whatever another's are.",
       {{"first mode", ""},
        {"multiplicity", ""},
        {"frequency", "Hz"},
@@ -42,8 +43,14 @@ Finding multiplets_table() {
 Finding kept_table() {
   return table("multiplets", "multiplets-kept", "Where the study cuts the spectrum",
                "Elastic modes asked for and kept, rounded up to whole multiplets, and the gap that is cut: of the next "
-               "eigenvalue from the last that is kept, relative. A multiplet that is cut leaves none.",
+               "eigenvalue from the last that is kept, relative. A multiplet that is cut leaves none. Bars: "
+               "of rounding, as the gap is of this mesh's matrices.",
                {{"modes asked for", ""}, {"modes kept", ""}, {"gap at the cut", "-"}});
+}
+
+// [-] Of lambda_b/lambda_a - 1, both off by eps lambda_max.
+double rounding_of_gap(const Modes& modes, double omega_a, double gap) {
+  return 2 * rounding_of_frequency(modes, omega_a) * (2 + gap);
 }
 
 // lambda [1/s^2]: of the whole matrix, by the dense solver.
@@ -52,8 +59,9 @@ Finding kept(const Modes& modes, const VectorXd& lambda, const std::vector<int>&
   for (const int r : asked) {
     const Index n = leading(modes, r).size();
     if (n == modes.n_rigid || n == lambda.size()) continue;
-    found.rows.push_back({count(r), count(n - modes.n_rigid), lambda[n] / lambda[n - 1] - 1});
-    bar_last_row(found, {{"gap at the cut", 2 * rounding_of_frequency(modes, std::sqrt(lambda[n - 1]))}});
+    const double gap = lambda[n] / lambda[n - 1] - 1;
+    found.rows.push_back({count(r), count(n - modes.n_rigid), gap});
+    bar_last_row(found, {{"gap at the cut", rounding_of_gap(modes, std::sqrt(lambda[n - 1]), gap)}});
   }
   return found;
 }
@@ -121,8 +129,9 @@ std::vector<Finding> multiplets(const AnalysisContext& context) {
     const Index i = each.multiplet.first;
     const double off = i < on_another_mesh.size() ? std::abs(on_another_mesh[i] - each.omega) / (2 * pi) : infinity;
     const double mesh = bar_per_distance * off;
-    bar_last_row(
-        found, {{"frequency", mesh + rounding * hertz}, {"gap", 2 * rounding}, {"difference of frequency", rounding}});
+    bar_last_row(found, {{"frequency", mesh + rounding * hertz},
+                         {"gap", rounding_of_gap(body.modes, each.omega, each.gap)},
+                         {"difference of frequency", rounding}});
   }
   const std::vector<int> asked = mode_counts(context);
   return {found, kept(body.modes, dense.lambda, asked), answers(body.system, body.modes, dense, *context.scene, asked)};

@@ -26,25 +26,24 @@ struct Subject {
   VectorXd omega, zeta;  // modes looked at; of full order the lowest and the highest
   std::function<std::optional<SteppedMode>(Index)> mode;
   long most_steps;
-  VectorXd off;  // [-] of omega by the mesh, relative: bars; of full order none, as its limit is that mesh's own
+  VectorXd omega_beside, zeta_beside;  // on another mesh, as far as known; of full order none: its limit is its mesh's
+  double bar_per_distance;             // [-] (another_mesh)
+  VectorXd rounding;                   // [-] of omega, relative
 };
 
+// Elastic modes of another mesh.
 struct Beside {
-  VectorXd omega;  // on another mesh
+  VectorXd omega, zeta;
   double bar_per_distance;
 };
-
-// Relative, NaN where the other mesh has no such mode; rounding of K and M added.
-VectorXd bars_of_frequencies(const Modes& modes, const VectorXd& omega, const Beside& beside) {
-  VectorXd off = VectorXd::Constant(omega.size(), nan);
-  for (Index i = 0; i < std::min(omega.size(), beside.omega.size() - modes.n_rigid); ++i) {
-    const double distance = std::abs(beside.omega(modes.n_rigid + i) / omega(i) - 1);
-    off(i) = beside.bar_per_distance * distance + rounding_of_frequency(modes, omega(i));
-  }
-  return off;
+Beside beside(const AnalysisContext& context, int n_elastic) {
+  const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
+  const ModalBody body = modal_body(context, n_elastic, meshes);
+  const Index n = body.modes.size() - body.modes.n_rigid;
+  return {body.modes.omega.tail(n), damping_ratios(body.system, body.modes).cwiseMax(0), bar_per_distance};
 }
 
-Subject reduced_subject(const ModalBody& body, int r, const Beside& beside) {
+Subject reduced_subject(const ModalBody& body, int r, const Beside& other) {
   const Modes modes = leading(body.modes, r);
   const Index n_rigid = modes.n_rigid, n = modes.size() - n_rigid;
   System system = project(body.system, modes);
@@ -55,6 +54,7 @@ Subject reduced_subject(const ModalBody& body, int r, const Beside& beside) {
     return SteppedMode{omega(i), zeta(i), e, e};
   };
   const long most_steps = 200000 / (20 + n);  // as much work for many modes as for few
+  const Index known = std::min(n, other.omega.size());
   return {"reduced",
           static_cast<double>(n),
           std::move(system),
@@ -62,7 +62,10 @@ Subject reduced_subject(const ModalBody& body, int r, const Beside& beside) {
           zeta,
           mode,
           most_steps,
-          bars_of_frequencies(modes, omega, beside)};
+          other.omega.head(known),
+          other.zeta.head(known),
+          other.bar_per_distance,
+          omega.unaryExpr([&](double each) { return rounding_of_frequency(modes, each); })};
 }
 
 // run: as integrators get it; seen: with the mass they step with as its only one.
@@ -74,7 +77,7 @@ Subject full_subject(const std::string& name, const ModalBody& body, System run,
   omega << low.omega.tail(n), top.omega;
   zeta << damping_ratios(body.system, low).cwiseMax(0), top.zeta;
   const auto mode = [n, top](Index i) { return i == n ? std::optional(top) : std::nullopt; };
-  return {name, nan, std::move(run), omega, zeta, mode, 200, VectorXd::Constant(omega.size(), nan)};
+  return {name, nan, std::move(run), omega, zeta, mode, 200, {}, {}, nan, {}};
 }
 
 Finding limits_table() {
@@ -85,9 +88,8 @@ Finding limits_table() {
       "are those of the system's damping operator. Full order: the highest mode of the mesh and the lowest "
       "ones that were solved for, with the consistent and with the lumped mass. A limit of 0 means that every "
       "step is unstable. Over full order: the limit over that of the mesh with its consistent mass. Rigid modes drift "
-      "as they should and set no limit. Bars: of reduced systems, what frequencies on another mesh of the case differ "
-      "by, "
-      "a limit by as much as the frequency that decides it; limits of full order are the mesh's own.",
+      "as they should and set no limit. Bars: of reduced systems, twice the distance to what the same modes of the "
+      "finer mesh of the case set, and rounding; limits of full order are the mesh's own.",
       {{"system", ""},
        {"modes r", ""},
        {"scheme", ""},
@@ -189,16 +191,34 @@ std::vector<FindingCell> limit_row(const Subject& s, const Scheme& scheme, const
           whole > 0 && std::isfinite(whole) ? limit.dt / whole : nan};
 }
 
-// Limits go with 1/omega at one damping ratio.
-void bar_limits(Finding& limits, const Subject& s, const StepLimit& limit) {
-  const double top = s.off(s.off.size() - 1), off = s.off(limit.deciding);
+double limit_of_mode(const Scheme& scheme, double omega, double zeta) {
+  return measured_limit(scheme, VectorXd::Constant(1, omega), VectorXd::Constant(1, zeta)).dt;
+}
+
+// [-] Bars of the frequency of mode i and of what it limits the step to, relative; NaN where the other mesh has no such
+// mode. Limits go with 1/omega at one damping ratio, with 1/omega^2 at most where that falls with 1/omega.
+struct RelativeBars {
+  double frequency = nan, limit = nan;
+};
+RelativeBars relative_bars(const Scheme& scheme, const Subject& s, Index i) {
+  if (i >= s.omega_beside.size()) return {};
+  const double limit = limit_of_mode(scheme, s.omega(i), s.zeta(i));
+  const double beside = limit_of_mode(scheme, s.omega_beside(i), s.zeta_beside(i));
+  return {s.bar_per_distance * std::abs(s.omega_beside(i) / s.omega(i) - 1) + s.rounding(i),
+          s.bar_per_distance * std::abs(beside / limit - 1) + 2 * s.rounding(i)};
+}
+
+void bar_limits(Finding& limits, const Scheme& scheme, const Subject& s, const StepLimit& limit) {
+  const Index last = s.omega.size() - 1;
+  const auto top = relative_bars(scheme, s, last), deciding = relative_bars(scheme, s, limit.deciding);
   const auto cell = [&](const char* name) {
     const auto column = std::ranges::find(limits.columns, name, &FindingColumn::name) - limits.columns.begin();
     return std::get<double>(limits.rows.back().at(static_cast<size_t>(column)));
   };
-  std::vector<std::pair<const char*, double>> bars{{"omega max", top * s.omega(s.omega.size() - 1)}};
-  for (const char* name : {"dt formula", "dt measured", "omega deciding", "over full order"})
-    if (std::isfinite(cell(name)) && cell(name) > 0) bars.emplace_back(name, off * cell(name));
+  std::vector<std::pair<const char*, double>> bars{{"omega max", top.frequency * s.omega(last)},
+                                                   {"omega deciding", deciding.frequency * s.omega(limit.deciding)}};
+  for (const char* name : {"dt formula", "dt measured", "over full order"})
+    if (std::isfinite(cell(name)) && cell(name) > 0) bars.emplace_back(name, deciding.limit * cell(name));
   bar_last_row(limits, bars);
 }
 
@@ -237,13 +257,12 @@ void expect_modes_apart(const ModalBody& body) {
 
 std::vector<Finding> step_limits(const AnalysisContext& context) {
   const std::vector<int> counts = mode_counts(context);
-  const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
-  const Beside beside{modal_body(context, counts.back(), meshes).modes.omega, bar_per_distance};
+  const Beside other = beside(context, counts.back());
   const ModalBody body = modal_body(context, counts.back());  // last: the context has one model at a time
   expect_modes_apart(body);
   std::vector<Subject> subjects;
   for (const int r : counts) {
-    subjects.push_back(reduced_subject(body, r, beside));
+    subjects.push_back(reduced_subject(body, r, other));
     const size_t n = subjects.size();
     if (n > 1 && subjects[n - 1].r == subjects[n - 2].r) subjects.pop_back();  // one multiplet, or no more modes
   }
@@ -260,7 +279,7 @@ std::vector<Finding> step_limits(const AnalysisContext& context) {
     for (const Subject& subject : subjects) {
       const StepLimit limit = measured_limit(scheme, subject.omega, subject.zeta);
       limits.rows.push_back(limit_row(subject, scheme, limit, whole));
-      bar_limits(limits, subject, limit);
+      bar_limits(limits, scheme, subject, limit);
       const Integrator* integrator = find_integrator(context, scheme.integrator);
       if (integrator && steps_as(scheme, subject.system)) add_runs(runs, subject, scheme, *integrator, limit);
       if (std::isnan(subject.r)) continue;

@@ -48,10 +48,11 @@ bool tell_of_the_same(const std::vector<FindingColumn>& columns, const std::vect
   return true;
 }
 
-// Counts and settings are the same in both and have no bar.
+// Counts and settings are the same in both and have no bar. A phase turns round once in 360 degrees.
 double distance(const FindingColumn& column, const FindingCell& a, const FindingCell& b) {
-  const double difference = std::abs(number(a) - number(b));
-  return column.unit.empty() || !std::isfinite(difference) ? nan : difference;
+  const double difference = number(a) - number(b);
+  if (column.unit.empty() || !std::isfinite(difference)) return nan;
+  return std::abs(column.unit == "deg" ? std::remainder(difference, 360) : difference);
 }
 
 }  // namespace

@@ -31,6 +31,19 @@ TEST(AddBars, AreDistancesOfNumbersThatHaveAUnit) {
   EXPECT_TRUE(std::isnan(found[0].bars[0][1])) << "a count";
 }
 
+// 179 and -179 degrees are 2 apart, whatever that is multiplied by.
+TEST(AddBars, ArePhasesApartTheShorterWayRound) {
+  for (const auto& [a, b, apart] :
+       {std::tuple{179.5, -179.5, 1.}, {-90., 90., 180.}, {10., 130., 120.}, {0., -1., 1.}}) {
+    Finding finding = table("a", "a", "A", "", {{"of", ""}, {"phase", "deg"}}), other = finding;
+    finding.rows = {{"x", a}};
+    other.rows = {{"x", b}};
+    std::vector<Finding> found{finding};
+    add_bars(found, {other}, 2);
+    EXPECT_NEAR(found[0].bars.at(0).at(1), 2 * apart, 1e-12) << a << " " << b;
+  }
+}
+
 // What is not known well enough for its verdict has a bar more than anything.
 TEST(AddBars, DoNotDependOnVerdicts) {
   const auto with_verdict = [](double value, const char* verdict) {

@@ -115,12 +115,14 @@ void print_table(const Told& all, std::ostream& out) {
                all.multiplicity[static_cast<size_t>(i)], degree_text(all.degree[static_cast<size_t>(i)]), share(0),
                share(1), share(2), i < all.modes.n_rigid ? "rigid" : "elastic");
   }
-  fmt::print(out,
-             "\n+-: twice the distance to the frequency on the case's finer mesh, and rounding\ndegree: the least of a "
-             "polynomial displacement in x, y, z, as the supports admit it, that holds {:g} % "
-             "of the mode's M norm squared\nx, y, z: participation, the effective modal mass along the axis as a share "
-             "of the body's mass\n",
-             100 * degree_share);
+  fmt::print(
+      out,
+      "\n+-: twice the distance to the frequency on the truth's finer mesh (once, to the coarser, where the body has "
+      "that itself), and rounding\ndegree: the least of a polynomial displacement in x, y, z, as the supports admit "
+      "it, that holds {:g} % of the mode's M norm squared\nx, y, z: participation, the effective modal mass along the "
+      "axis as a share "
+      "of the body's mass\n",
+      100 * degree_share);
 }
 
 void print_json(const Scene& scene, const Body& body, const Told& all, std::ostream& out) {
