@@ -40,7 +40,8 @@ time_steps = [5e-3]
 struct Mark {
   double value, bar;
 };
-// [-] A bar as long as what it is relative to says that nothing is known: stress at the rod's free end, which is none.
+// [-] A bar as long as what it is relative to says that nothing is known of a stress, as at the rod's free end, which
+// has none.
 constexpr double most_known = 1;
 // Of the truth on the finer mesh, by contender, metric and subject. Those without a bar are of the answer alone.
 std::map<std::string, Mark> marks_of(const std::string& scene) {
@@ -73,7 +74,7 @@ TEST(ErrorBarsVerification, HoldAgainstAMeshThatIsFinerStill) {
     EXPECT_EQ(first.size(), then.size()) << file;
     for (const auto& [what, mark] : first) {
       ASSERT_TRUE(then.contains(what)) << file << ": " << what;
-      if (mark.bar >= most_known) continue;
+      if (mark.bar >= most_known && what.find("probe-von-mises") != std::string::npos) continue;
       const double moved = std::abs(then.at(what).value - mark.value) / mark.bar;
       EXPECT_LE(moved, 1) << file << ": " << what << " is " << mark.value << " +- " << mark.bar << ", then "
                           << then.at(what).value << " +- " << then.at(what).bar;
@@ -103,7 +104,13 @@ TEST(ErrorBarsVerification, OfFrequenciesHoldAgainstAMeshThatIsFinerStill) {
         std::pair{"dashpot.toml", Resolution{4, {2, 2, 12}}}, std::pair{"resonance.toml", Resolution{4, {2, 2, 12}}},
         std::pair{"stiffness-contrast.toml", Resolution{3, {4, 6, 10}}},
         std::pair{"nearly-incompressible.toml", Resolution{4, {3, 3, 4}}},
-        std::pair{"thin-plate.toml", Resolution{4, {10, 10, 1}}}}) {
+        std::pair{"thin-plate.toml", Resolution{4, {10, 10, 1}}},
+        std::pair{"sliver-mesh.toml", Resolution{4, {3, 3, 12}}},
+        std::pair{"nearly-degenerate-bar.toml", Resolution{4, {2, 2, 8}}},
+        std::pair{"million-steps.toml", Resolution{4, {2, 2, 20}}},
+        std::pair{"beyond-linear.toml", Resolution{4, {2, 2, 12}}},
+        std::pair{"../free-cube.toml", Resolution{4, {4, 4, 4}}},
+        std::pair{"../cylinder-shear.toml", Resolution{4, {2, 8}}}}) {
     const Scene scene = read_toml(fs::path(MB_SOURCE_DIR) / "cases/hard" / file, default_catalogue().vocabulary());
     const auto [meshes, bar_per_distance] = another_mesh(scene);
     const auto omega_on = [&, &s = scene](const Resolution& mesh) {
