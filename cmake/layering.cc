@@ -64,7 +64,7 @@ const std::regex clock_call(
 // Free everywhere: Eigen and fmt, the test frameworks, the standard library, POSIX.
 const std::regex free_header(
     R"((Eigen|fmt|gtest|gmock|benchmark)/[\w./-]+)"
-    R"(|(dlfcn|fcntl|sched|unistd|signal|sys/(resource|stat|types|wait|mman|mount|prctl|utsname))\.h)"
+    R"(|(dlfcn|fcntl|sched|unistd|signal|sys/(file|resource|stat|types|wait|mman|mount|prctl|utsname))\.h)"
     R"(|algorithm|any|array|atomic|barrier|bit|bitset|cassert|cctype|cerrno|cfenv|cfloat|charconv|cinttypes)"
     R"(|climits|clocale|cmath|codecvt|compare|complex|concepts|condition_variable|coroutine|csetjmp|csignal|cstdarg)"
     R"(|cstddef|cstdint|cstdio|cstdlib|cstring|ctime|cuchar|cwchar|cwctype|deque|exception|execution|filesystem)"
