@@ -58,7 +58,7 @@ TEST(Stored, AFailureGivesWayToAnAnswerStoredMeanwhile) {
   EXPECT_EQ(status(), "ok");
 }
 
-// A scene of loads that grows has no motion, and its marks are sound without one.
+// What is unstable leaves no motion, and its marks are sound without one.
 TEST(Stored, MarksGiveWayToSoundOnesAndTheirTimesUnlessTheyReplaceThem) {
   const ScratchFolder folder;
   const Store store(folder / "results");
