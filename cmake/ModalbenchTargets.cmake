@@ -151,7 +151,7 @@ function(mb_tests name)
   target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(${name}_test PRIVATE MB_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   set(common NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60)
-  math(EXPR verification_limit "300 * ${MODALBENCH_PATIENCE}")
+  math(EXPR verification_limit "900 * ${MODALBENCH_PATIENCE}")
   math(EXPR cases_limit "600 * ${MODALBENCH_PATIENCE}")
   gtest_discover_tests(${name}_test TEST_FILTER *Verification.* TEST_LIST ${name}_verification ${common}
     PROPERTIES LABELS verification TIMEOUT ${verification_limit})

@@ -11,6 +11,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "mechanics/geometry/disc_rule.h"
 #include "reference/fem/evaluation.h"
 
 namespace mb::fem {
@@ -195,13 +196,28 @@ VectorXd integrate_face(const Discretisation& d, const std::string& name, const 
   return load;
 }
 
+// The least distance of nodes [m] on faces of the mesh that the disc may meet.
+double node_spacing(const Discretisation& d, const Patch& patch) {
+  const Disc& disc = *patch.disc;
+  const dealii::Point<3> centre(disc.centre[0], disc.centre[1], disc.centre[2]);
+  const auto id = static_cast<unsigned>(d.boundary_id(patch.face));
+  double least = 2 * disc.radius;
+  for (const auto& cell : d.nodes.active_cell_iterators())
+    for (const auto& face : cell->face_iterators())
+      if (face->at_boundary() && face->boundary_id() == id &&
+          face->center().distance(centre) < disc.radius + face->diameter())
+        for (unsigned edge = 0; edge < 4; ++edge)
+          least = std::min(least, face->line(edge)->diameter() / d.element.degree);
+  return least;
+}
+
 // int_disc w f(n) N_a dA over the exact disc: force and moment are the same on every mesh, which whole-face quadrature
-// of a weight with compact support would not give.
+// of a weight with compact support would not give. Shape functions bend where cells meet: four points a node.
 VectorXd integrate_disc(const Discretisation& d, const Patch& patch, const BoundaryField& f) {
-  const DiscRule rule = disc_rule(d.shape, patch);
+  const DiscRule rule = disc_rule(d.shape, patch, node_spacing(d, patch) / 4);
   Matrix3Xd wf(3, rule.weights.size());
   for (Index i = 0; i < wf.cols(); ++i) wf.col(i) = rule.weights[i] * f(rule.normals.col(i));
-  return displacement_at(d, rule.points).transpose() * Eigen::Map<const VectorXd>(wf.data(), wf.size());
+  return nodal_loads(d, rule.points, wf);
 }
 
 VectorXd integrate_patch(const Discretisation& d, const Patch& patch, const BoundaryField& f) {

@@ -28,8 +28,7 @@ VectorXd lumped_mass(const Discretisation& d, double density);  // density [kg/m
 // int_patch w (t - p n)_i N_a dA as a vector of size n_dofs, n the outward normal; and int_patch w n_i N_a dA. Discs
 // are integrated on the exact face, with its normal; whole faces on the mesh's, so that a uniform pressure all over a
 // body is in balance to rounding. traction t, pressure p [Pa]. Throws std::invalid_argument for a disc off its face.
-// A disc is 8 x 24 points (DiscRule): nodes a sixth of its radius apart make 0.4 % too much work of them at their own
-// displacement, half as far apart, as where a mesh is graded there, 6 %.
+// Points of a disc are a quarter as far apart as the mesh's nodes there (DiscRule).
 VectorXd patch_load(const Discretisation& d, const Patch& patch, const Vector3d& traction, double pressure = 0);
 VectorXd patch_normal(const Discretisation& d, const Patch& patch);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -106,19 +107,26 @@ class Cells {
   std::vector<std::pair<double, size_t>> near_;
 };
 
-// Calls entry(point, node, N, gradient of N) for every point and every node of its cell.
+// Calls entry(point, node, N, gradient of N) for every point and every node of its cell, cell by cell.
 using Entry = std::function<void(Index point, Index node, double N, const dealii::Tensor<1, 3>& gradient)>;
 void for_each_entry(const Discretisation& d, const Matrix3Xd& points, const Entry& entry) {
-  std::vector<dealii::types::global_dof_index> ids(d.element.n_dofs_per_cell());
+  std::map<Cell, std::pair<std::vector<Index>, std::vector<Point>>> met;
   Cells cells(d);
   for (Index p = 0; p < points.cols(); ++p) {
     const Located at = cells.nearest(Point(points(0, p), points(1, p), points(2, p)));
-    dealii::FEValues<3> values(d.mapping, d.element, dealii::Quadrature<3>(at.xi),
+    met[at.cell].first.push_back(p);
+    met[at.cell].second.push_back(at.xi);
+  }
+  std::vector<dealii::types::global_dof_index> ids(d.element.n_dofs_per_cell());
+  for (const auto& [cell, here] : met) {
+    const auto& [which, xi] = here;
+    dealii::FEValues<3> values(d.mapping, d.element, dealii::Quadrature<3>(xi),
                                dealii::update_values | dealii::update_gradients);
-    values.reinit(at.cell);
-    at.cell->get_dof_indices(ids);
-    for (unsigned a = 0; a < ids.size(); ++a)
-      entry(p, static_cast<Index>(ids[a]), values.shape_value(a, 0), values.shape_grad(a, 0));
+    values.reinit(cell);
+    cell->get_dof_indices(ids);
+    for (unsigned q = 0; q < which.size(); ++q)
+      for (unsigned a = 0; a < ids.size(); ++a)
+        entry(which[q], static_cast<Index>(ids[a]), values.shape_value(a, q), values.shape_grad(a, q));
   }
 }
 
@@ -136,6 +144,13 @@ SparseMatrix displacement_at(const Discretisation& d, const Matrix3Xd& points) {
     for (Index i = 0; i < 3; ++i) entries.emplace_back(3 * p + i, 3 * a + i, N);
   });
   return from_triplets(3 * points.cols(), d.n_dofs(), entries);
+}
+
+VectorXd nodal_loads(const Discretisation& d, const Matrix3Xd& points, const Matrix3Xd& forces) {
+  VectorXd load = VectorXd::Zero(d.n_dofs());
+  for_each_entry(d, points,
+                 [&](Index p, Index a, double N, const auto&) { load.segment<3>(3 * a) += N * forces.col(p); });
+  return load;
 }
 
 SparseMatrix strain_at(const Discretisation& d, const Matrix3Xd& points) {
