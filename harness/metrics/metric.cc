@@ -100,8 +100,12 @@ double truth_size(const Metric& metric, const Trajectory& truth, const MetricCon
 }
 
 double distance(const Metric& metric, const Trajectory& a, const Trajectory& b, const MetricContext& context) {
-  if (!metric.of_truth_alone) return std::abs(mark(metric, a, b, context).value);
-  return std::abs(mark(metric, a, a, context).value - mark(metric, b, b, context).value);
+  const double own = metric.of_truth_alone
+                         ? std::abs(mark(metric, a, a, context).value - mark(metric, b, b, context).value)
+                         : std::abs(mark(metric, a, b, context).value);
+  if (!metric.whole) return own;
+  const double whole = 2 * distance(mb::metric(metric.whole), a, b, context) * metric.share(b, context);
+  return std::isfinite(own) ? std::max(own, whole) : own;
 }
 
 }  // namespace mb

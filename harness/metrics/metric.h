@@ -35,6 +35,10 @@ struct Metric {
   bool contact_only = false;     // for scenes with contact alone
   bool finite_only = false;      // for bodies of finite kinematics alone
   bool of_answer_alone = false;  // no error against the truth, nor has it a bar: marked once, beside truth "finer"
+  // Of a place or an instant: the metric of the whole motion that it is a part of, and what an error of the whole may
+  // come to in this metric where it is all of the largest deformation (of stress: of the largest stress).
+  const char* whole = nullptr;
+  double (*share)(const Trajectory& truth, const MetricContext& context) = nullptr;
 };
 
 // The visible list. Values are >= 0 but for probe-magnitude, which is signed.
@@ -63,6 +67,11 @@ Mark mark(const Metric& metric, const Trajectory& answer, const Trajectory& trut
 double truth_size(const Metric& metric, const Trajectory& truth, const MetricContext& context);
 
 // How far two truths are apart in the eyes of a metric, >= 0: what error bars are summed from. NaN where undefined.
+//
+//   Metric::whole:  max(|m_a - m_b|, 2 d_whole share)
+//
+// Two meshes may agree on a place or on a largest value while both are wrong, and a place that hardly moves or bears no
+// stress has errors of the rest of the body: a part of a motion is known no better than twice the whole.
 double distance(const Metric& metric, const Trajectory& a, const Trajectory& b, const MetricContext& context);
 
 }  // namespace mb

@@ -118,6 +118,21 @@ double probe_size(const Trajectory& truth, const MetricContext& context) {
   return largest_displacement(truth, context) / probe_signal(truth, context).cwiseAbs().maxCoeff();
 }
 
+// The largest deformation [m] over points and times: rigid motion taken out of free bodies.
+double largest_deformation(const Trajectory& truth, const MetricContext& context) {
+  const FramedMotion deformed = motion(truth, context);
+  double largest = 0;
+  for (const MatrixXd* u : {&deformed.volume, &deformed.surface})
+    if (u->size() > 0) largest = std::max(largest, u->reshaped(3, u->size() / 3).colwise().norm().maxCoeff());
+  return largest;
+}
+double deviation_share(const Trajectory& truth, const MetricContext& context) {
+  return largest_deformation(truth, context) / extent(body(context).shape);
+}
+double probe_share(const Trajectory& truth, const MetricContext& context) {
+  return largest_deformation(truth, context) / probe_signal(truth, context).cwiseAbs().maxCoeff();
+}
+
 double probe_error(const Trajectory& answer, const Trajectory& truth, const MetricContext& context) {
   return relative_l2(trapezoid_weights(truth.t), probe_signal(answer, context), probe_signal(truth, context));
 }
@@ -187,8 +202,15 @@ double truth_rotation(const Trajectory&, const Trajectory& truth, const MetricCo
   return largest_rotation(truth, context);
 }
 
+Metric part(Metric metric, const char* whole, double (*share)(const Trajectory&, const MetricContext&)) {
+  metric.whole = whole;
+  metric.share = share;
+  return metric;
+}
+
 std::vector<Metric> catalogue() {
   constexpr bool probe = true, free_only = true, truth_alone = true, no = false;
+  constexpr auto displacement = "displacement-error", strain = "strain-error";
   return {
       {"displacement-error", "-",
        "Relative L2 error of the deformation over space (M norm) and time, each answer in its own best rigid frame "
@@ -197,32 +219,41 @@ std::vector<Metric> catalogue() {
       {"strain-error", "-",
        "Relative error of the linear strain in the K norm (strain energy, stands for stress) over space and time.", no,
        no, no, &strain_error},
-      {"surface-deviation", "-",
-       "Largest distance of the deformed surfaces over points and time, each answer in its own best rigid frame where "
-       "the body is free, divided by the largest edge of the bounding box.",
-       no, no, no, &surface_deviation, &deviation_size},
+      part({"surface-deviation", "-",
+            "Largest distance of the deformed surfaces over points and time, each answer in its own best rigid frame "
+            "where the body is free, divided by the largest edge of the bounding box.",
+            no, no, no, &surface_deviation, &deviation_size},
+           displacement, &deviation_share),
       {"pose-translation", "m", "Largest distance of the centroids over time; free bodies only.", no, free_only, no,
        &pose_translation, &largest_displacement},
       {"pose-rotation", "rad", "Largest angle between the best rigid frames over time; free bodies only.", no,
        free_only, no, &pose_rotation, &rotation_size},
-      {"probe-error", "-", "Relative L2 error over time of a probe's displacement along its direction.", probe, no, no,
-       &probe_error, &probe_size},
-      {"probe-magnitude", "-", "Sprague and Geers' M of a probe's signal: relative excess of its size, signed.", probe,
-       no, no, &probe_magnitude, &probe_size},
-      {"probe-phase", "-", "Sprague and Geers' P of a probe's signal: phase shift divided by pi, in [0, 1].", probe, no,
-       no, &probe_phase, &probe_size},
-      {"probe-combined", "-", "Sprague and Geers' C of a probe's signal: sqrt(M^2 + P^2).", probe, no, no,
-       &probe_combined, &probe_size},
-      {"probe-von-mises", "-", "Relative L2 error over time of von Mises' equivalent stress at a probe.", probe, no, no,
-       &probe_von_mises, &stress_size},
+      part({"probe-error", "-", "Relative L2 error over time of a probe's displacement along its direction.", probe, no,
+            no, &probe_error, &probe_size},
+           displacement, &probe_share),
+      part({"probe-magnitude", "-", "Sprague and Geers' M of a probe's signal: relative excess of its size, signed.",
+            probe, no, no, &probe_magnitude, &probe_size},
+           displacement, &probe_share),
+      part({"probe-phase", "-", "Sprague and Geers' P of a probe's signal: phase shift divided by pi, in [0, 1].",
+            probe, no, no, &probe_phase, &probe_size},
+           displacement, &probe_share),
+      part({"probe-combined", "-", "Sprague and Geers' C of a probe's signal: sqrt(M^2 + P^2).", probe, no, no,
+            &probe_combined, &probe_size},
+           displacement, &probe_share),
+      part({"probe-von-mises", "-", "Relative L2 error over time of von Mises' equivalent stress at a probe.", probe,
+            no, no, &probe_von_mises, &stress_size},
+           strain, &stress_size),
       {"truth-above-band", "-",
        "Share of the kinetic energy of the truth's deformation (Hann window) above a twentieth of samples_per_second.",
        no, no, truth_alone, &truth_above_band},
-      {"truth-strain", "-", "Largest principal strain of the truth over points and times.", no, no, truth_alone,
-       &truth_strain},
-      {"truth-rotation", "rad",
-       "Largest rotation of a piece of the body in the truth's deformation, |curl u|/2 of polynomials of degree 3.", no,
-       no, truth_alone, &truth_rotation},
+      part({"truth-strain", "-", "Largest principal strain of the truth over points and times.", no, no, truth_alone,
+            &truth_strain},
+           strain, &largest_strain),
+      part(
+          {"truth-rotation", "rad",
+           "Largest rotation of a piece of the body in the truth's deformation, |curl u|/2 of polynomials of degree 3.",
+           no, no, truth_alone, &truth_rotation},
+          displacement, &largest_rotation),
   };
 }
 

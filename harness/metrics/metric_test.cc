@@ -242,11 +242,27 @@ TEST(Metrics, AnswersThatDoNotMatchAreRefused) {
 TEST(Metrics, DistanceIsSymmetricForSmallDifferencesAndUnsigned) {
   const Setting s = setting();
   const Trajectory a = answer(s, 0.01), b = answer(s, 0.010001);
-  for (const char* name : {"displacement-error", "probe-magnitude"}) {
+  for (const char* name : {"displacement-error", "strain-error"}) {
     const double ab = distance(metric(name), a, b, s.context(true, 1));
     EXPECT_NEAR(ab, 1e-4, 1e-7);
     EXPECT_NEAR(distance(metric(name), b, a, s.context(true, 1)), ab, 1e-3 * ab);
   }
+}
+
+// A tenth more of everything is a tenth at a probe, too; known it is only to twice that of what moves most.
+TEST(Metrics, APartIsKnownNoBetterThanTwiceTheWhole) {
+  const Setting s = setting();
+  const Trajectory a = answer(s, 0.01), b = answer(s, 0.0101);
+  const MetricContext context = s.context(false, 1);
+  const double whole = distance(metric("displacement-error"), a, b, context);
+  EXPECT_NEAR(whole, 1e-2, 2e-4);
+  for (const char* name : {"probe-error", "probe-magnitude", "probe-phase"}) {
+    EXPECT_GE(distance(metric(name), a, b, context), 1.9 * whole) << name;  // it lies farther out than the others
+    EXPECT_EQ(distance(metric(name), a, a, context), 0) << name;
+  }
+  const double strain = mark(metric("truth-strain"), b, b, context).value;
+  EXPECT_DOUBLE_EQ(distance(metric("truth-strain"), a, b, context),
+                   2 * distance(metric("strain-error"), a, b, context) * strain);
 }
 
 }  // namespace
