@@ -249,7 +249,7 @@ TEST(Metrics, DistanceIsSymmetricForSmallDifferencesAndUnsigned) {
   }
 }
 
-// A tenth more of everything is a tenth at a probe, too; known it is only to twice that of what moves most.
+// A hundredth more of everything is that at a probe, too; it is known only to twice that of what moves most.
 TEST(Metrics, APartIsKnownNoBetterThanTwiceTheWhole) {
   const Setting s = setting();
   const Trajectory a = answer(s, 0.01), b = answer(s, 0.0101);
