@@ -12,6 +12,7 @@ namespace {
 
 using namespace faults;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Killed soon after it has finished something, until nothing is left to do. A run is finished with its records: killed
 // before them, it writes the same trajectory again.
@@ -102,19 +103,18 @@ std::string large_case(const std::string& cells = "[82, 82, 82]") {
   return large;
 }
 
-std::function<void()> with_addresses_for([[maybe_unused]] int gigabytes) {
+std::function<void()> with_addresses_for([[maybe_unused]] rlim_t gigabytes) {
 #ifdef MB_SANITIZED  // which takes terabytes of addresses itself
   return [] {};
 #else
-  return [gigabytes] {
-    const rlim_t space = static_cast<rlim_t>(gigabytes) << 30;
+  return [space = gigabytes << 30] {
     const rlimit limit{space, space};
     ::setrlimit(RLIMIT_AS, &limit);  // what is allocated all the same fails at once
   };
 #endif
 }
 
-constexpr const char* refusal = "takes about [0-9.e+]+ GB of memory and [0-9.]+ GB are there";
+constexpr const char* refusal = "out of memory: takes about [0-9.e+]+ GB of memory and [0-9.]+ GB are there";
 
 TEST(FaultCases, WhatIsBeyondMemoryIsRefusedBeforeItIsAllocated) {
   const ScratchFolder scratch;
@@ -122,9 +122,29 @@ TEST(FaultCases, WhatIsBeyondMemoryIsRefusedBeforeItIsAllocated) {
   for (const std::vector<std::string>& words : {run, {"modes", "case.toml"}, run_with({"--jobs", "2"})}) {
     Process process(scratch.path(), words, with_addresses_for(16));
     EXPECT_EQ(process.code(), 3) << words.front();
-    EXPECT_THAT(process.err(), ::testing::ContainsRegex(refusal)) << words.front();
+    EXPECT_THAT(process.err(), ::testing::ContainsRegex(std::string("small · [^\n]*") + refusal)) << words.front();
+    EXPECT_THAT(process.err(), Not(::testing::ContainsRegex("(^|\n)out of memory"))) << "of which case?";
   }
   EXPECT_FALSE(fs::exists(scratch / "results/truth"));
+}
+
+// What has been stored must be read, and marked, all the same: 5000 samples of four truths and their marks.
+TEST(FaultCases, StoredTruthsBeyondMemoryAreRefusedBeforeTheyAreRead) {
+#ifdef MB_SANITIZED
+  GTEST_SKIP() << "the address sanitizer takes terabytes of addresses";
+#endif
+  const ScratchFolder scratch;
+  std::string all = small_case();
+  const std::string rate = "samples_per_second = 200";
+  written(scratch / "case.toml", all.replace(all.find(rate), rate.size(), "samples_per_second = 50000"));
+  Process whole(scratch.path(), run);
+  ASSERT_EQ(whole.code(), 0) << whole.err();
+  fs::remove_all(scratch / "results/records");
+  Process process(scratch.path(), run, with_addresses_for(1));
+  EXPECT_EQ(process.code(), 3);
+  EXPECT_THAT(process.err(), ::testing::ContainsRegex(std::string("small · failed: ") + refusal));
+  EXPECT_THAT(process.err(), Not(HasSubstr("[1/4]")));
+  EXPECT_LT(process.most_memory(), whole.most_memory() / 2);
 }
 
 // 24,000 degrees of freedom fit 3 GB, but not with the Lanczos vectors of thousands of modes.
@@ -139,7 +159,8 @@ TEST(FaultCases, ModesBeyondMemoryAreRefusedBeforeTheyAreAllocated) {
   EXPECT_THAT(process.err(), ::testing::ContainsRegex(refusal));
 }
 
-// Threads of the BLAS that find no memory to begin with wait for it for good: nobody may wait for them.
+// Threads of the BLAS that find no memory to begin with wait for it for good: nobody may wait for them. What there is
+// no room for is refused, or an allocation fails before that is asked: either is said.
 TEST(FaultCases, HardlyAnyMemoryEndsTheProgramAllTheSame) {
 #ifdef MB_SANITIZED
   GTEST_SKIP() << "the address sanitizer takes terabytes of addresses";
@@ -152,7 +173,14 @@ TEST(FaultCases, HardlyAnyMemoryEndsTheProgramAllTheSame) {
       const rlimit limit{megabytes << 20, megabytes << 20};
       ::setrlimit(RLIMIT_AS, &limit);
     });
-    EXPECT_TRUE(process.ends_within(120)) << megabytes;  // a run takes three seconds
+    ASSERT_TRUE(process.ends_within(120)) << megabytes;  // a run takes three seconds
+    EXPECT_EQ(process.code(), 3) << megabytes << process.err();
+    EXPECT_THAT(process.err(), ::testing::ContainsRegex("(small · failed|modalbench: run): out of memory[:,] "
+                                                        "(takes about )?[^\n]*[0-9] [kMG]B"))
+        << megabytes;
+    expect_sound(scratch / "results");
+    expect_nothing_half_written(scratch / "results");
+    EXPECT_FALSE(fs::exists(scratch / "results/truth")) << megabytes;
   }
 }
 

@@ -68,6 +68,15 @@ inline void expect_sound(const fs::path& directory) {
   }
 }
 
+inline void expect_nothing_half_written(const fs::path& store) {
+  if (!fs::exists(store)) return;
+  for (const auto& entry : fs::recursive_directory_iterator(store)) {
+    const std::string ending = entry.path().extension();
+    EXPECT_TRUE(entry.is_directory() || ending == ".h5" || ending == ".jsonl" || ending == ".json")
+        << entry.path() << " is left behind";
+  }
+}
+
 inline std::string analysed_case() {
   std::string all = small_case();
   const std::string modes = "modes = [4, 12]";

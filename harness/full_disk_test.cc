@@ -52,14 +52,6 @@ void become_another_user() {
 }
 bool could_not_become(int code) { return code == 125 || code == 127; }
 
-void expect_nothing_half_written(const fs::path& store) {
-  for (const auto& entry : fs::recursive_directory_iterator(store)) {
-    const std::string ending = entry.path().extension();
-    EXPECT_TRUE(entry.is_directory() || ending == ".h5" || ending == ".jsonl" || ending == ".json")
-        << entry.path() << " is left behind";
-  }
-}
-
 // What stands below a folder, by path.
 std::map<std::string, std::string> all_files(const fs::path& folder) {
   std::map<std::string, std::string> files;

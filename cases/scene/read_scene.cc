@@ -208,6 +208,8 @@ std::string_view without_mark(std::string_view text) {
   return text;
 }
 
+constexpr Position beginning{1, 1, 1};  // the header of what stands under none
+
 }  // namespace
 
 Scene read_scene(std::string_view text, const std::string& file, const std::filesystem::path& folder,
@@ -216,7 +218,7 @@ Scene read_scene(std::string_view text, const std::string& file, const std::file
   Findings findings(file, text);
   const auto document = document_of(text, findings);
   if (!document) throw CaseErrors(findings.found());
-  const Section root(*document, {}, "", false, findings);
+  const Section root(*document, beginning, "", false, findings);
   std::map<std::string, Scene> scenes;
   for (const std::string& name : profile_names()) scenes[name] = read_parts(root, {folder, vocabulary}, name);
   if (!findings.empty()) throw CaseErrors(findings.found());
@@ -229,7 +231,7 @@ std::map<std::string, std::string> keys_asked(std::string_view text, const std::
   Findings findings("case", text);
   const auto document = document_of(text, findings);
   if (!document) return {};
-  const Section root(*document, {}, "", false, findings);
+  const Section root(*document, beginning, "", false, findings);
   try {
     for (const std::string& name : profile_names()) read_parts(root, {folder, vocabulary}, name);
   } catch (const CaseErrors&) {  // of another schema: nothing else was asked for

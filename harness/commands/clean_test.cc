@@ -188,10 +188,11 @@ TEST_F(CleanTest, DamagedFilesAreNamedAndGo) {
   written(folder / "results/records" / (damaged_hash + ".jsonl"), "{}\n");
   fs::create_directory(folder / "results/findings");
   written(folder / "results/findings" / (damaged_hash + ".json"), "[");
+  fs::resize_file(folder / "results/truth" / (truth + ".h5"), 700);
   const test::Told said = clean({.yes = true});
   EXPECT_THAT(said.out, HasSubstr("damaged"));
-  for (const std::string& file : {"trajectories/" + current + ".h5", "records/" + damaged_hash + ".jsonl",
-                                  "findings/" + damaged_hash + ".json"}) {
+  for (const std::string& file : {"trajectories/" + current + ".h5", "truth/" + truth + ".h5",
+                                  "records/" + damaged_hash + ".jsonl", "findings/" + damaged_hash + ".json"}) {
     EXPECT_THAT(said.err, HasSubstr("damaged: results/" + file));
     EXPECT_FALSE(holds(file)) << file;
   }

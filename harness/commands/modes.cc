@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <stdexcept>
 
 #include "cases/json/json.h"
@@ -157,13 +156,13 @@ int modes_command(const ModesOptions& options, const Catalogue& catalogue, const
   const Beside beside{other.bodies[static_cast<size_t>(&body - scene.bodies.data())], bar_per_distance};
   const double needed =
       std::max(memory_of_modes(scene, body, options.count), memory_of_modes(scene, beside.body, options.count));
-  require_memory(needed, available_memory());
   try {
+    require_memory(needed, available_memory());
     const Told all = computed(scene, body, beside, options.count);
     options.json ? print_json(scene, body, all, console.out) : print_table(all, console.out);
-  } catch (const std::bad_alloc& error) {
+  } catch (const std::exception& error) {
     throw std::runtime_error(
-        fmt::format("{} modes of '{}': {}", options.count, body.name, failure_text(error, needed)));
+        fmt::format("{} · {} modes of '{}': {}", scene.name, options.count, body.name, failure_text(error, needed)));
   }
   return 0;
 }

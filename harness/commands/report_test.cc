@@ -92,6 +92,24 @@ TEST(ReportCommandTest, AStoreWithoutRecordsIsNoReport) {
   EXPECT_FALSE(fs::exists(scratch / "report"));
 }
 
+// All of what it reads: records, times and tables. Trajectories and truths it never opens; `clean` does.
+TEST(ReportCommandTest, DamageOfWhatIsReadIsNamedEvenQuietly) {
+  const ScratchFolder scratch;
+  const fs::path file = written(scratch / "small.toml", small_case());
+  write_mark(file, scratch / "results");
+  const std::string hash(32, 'c');
+  for (const char* shelf : {"records", "timings", "findings", "trajectories", "truth"})
+    fs::create_directories(scratch / "results" / shelf);
+  const std::vector<std::string> read{"records/" + hash + ".jsonl", "timings/" + hash + ".jsonl",
+                                      "findings/" + hash + ".json"};
+  for (const std::string& name : read) written(scratch / ("results/" + name), "[");
+  for (const char* shelf : {"trajectories/", "truth/"}) written(scratch / ("results/" + (shelf + hash) + ".h5"), "[");
+  const Said said = modalbench(scratch.path(), {"report", "-q", "small.toml"});
+  EXPECT_EQ(said.code, 0) << said.err;
+  for (const std::string& name : read) EXPECT_THAT(said.err, HasSubstr("left out: results/" + name));
+  EXPECT_THAT(said.err, ::testing::Not(HasSubstr(".h5")));
+}
+
 // Each would be told what was measured of the other.
 TEST(ReportCommandTest, TwoFilesOfOneNameAreRefusedByAllCommands) {
   const ScratchFolder scratch;

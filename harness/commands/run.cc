@@ -127,7 +127,9 @@ Outcome run_all(const Scenes& scenes, const Catalogue& catalogue, const Store& s
       if (!console.quiet || one.n_failed > 0)
         fmt::print(console.err, "{} · {} runs done, {} found in {}, {} failed{}{}\n", scene->name, one.n_run,
                    one.n_stored, store.directory().string(), one.n_failed,
-                   may_be_old ? "; a failure that is stored stays until --again" : "",
+                   may_be_old
+                       ? "; a failure that is stored stays until --again, one for want of memory until the next run"
+                       : "",
                    scene->checks.empty() ? "; it states no check" : "");
       outcome.n_failed += one.n_failed;
       outcome.finished.push_back(*scene);
@@ -154,23 +156,33 @@ int n_processes(const Scene& scene, const std::vector<PlannedJob>& plan, std::op
   return n;
 }
 
+// In a process of their own: threads that libraries start there would not survive a fork. What fails there is met
+// again, and named, by who calls.
+bool truths_are_there(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
+                      const RunOptions& options, const Progress& progress) {
+  const auto interrupted = [&] { return options.interrupted && options.interrupted(); };
+  return in_processes(1, [&](int) {
+           try {
+             return truths(scene, catalogue, store, progress, interrupted) ? 0 : 130;
+           } catch (const std::exception&) {
+             return 3;
+           }
+         }) == 0;
+}
+
 // Marks and tables by several processes; what they fail at is met again, and counted, by who calls. Computes nothing
 // itself before the last of them has ended.
 void run_in_parallel(const Scenes& scenes, const Catalogue& catalogue, const Store& store, const RunOptions& options,
                      int n, const Console& console) {
   const Progress progress = progress_on(console);
-  const auto interrupted = [&] { return options.interrupted && options.interrupted(); };
   RunOptions shared = options;
   shared.timed = shared.alone = false;
   for (const auto& scene : scenes) {
-    if (interrupted()) return;
+    if (options.interrupted && options.interrupted()) return;
     auto left = plan({scene}, catalogue, store, shared);
     std::erase_if(left, [](const PlannedJob& one) { return takes_times(one.job); });
     if (std::ranges::all_of(left, &PlannedJob::stored)) continue;
-    // Truths first, in a process of their own: threads that libraries start there would not survive a fork.
-    const int code =
-        in_processes(1, [&](int) { return truths(scene, catalogue, store, progress, interrupted) ? 0 : 130; });
-    if (code != 0) continue;             // the caller meets and names what failed
+    if (!truths_are_there(scene, catalogue, store, options, progress)) continue;
     shared.memory = available_memory();  // asked once: what one process takes is no reason to refuse another's
     const int n_now = n_processes(*scene, left, shared.memory, n, progress);
     in_processes(n_now, [&](int i) {
@@ -201,13 +213,16 @@ int run_command(const RunCommandOptions& options, const Catalogue& catalogue, co
     how.again = false;
   }
   const Outcome outcome = run_all(scenes, catalogue, store, how, console);
-  for (const RefusedLine& line : store.rebuild_results()) fmt::print(console.err, "left out: {}\n", to_string(line));
+  const std::vector<RefusedLine> damaged = store.rebuild_results();
+  const bool is_whole = !outcome.interrupted && shard->whole();  // checks are of the whole
+  const StoredResults stored = is_whole ? current_records(store, outcome.finished) : StoredResults{};
+  for (const RefusedLine& line : is_whole ? stored.refused : damaged)
+    fmt::print(console.err, "left out: {}\n", to_string(line));
   if (outcome.interrupted) {
     fmt::print(console.err, "{}", words_of_interruption(options));
     return 130;
   }
-  if (!shard->whole()) return outcome.n_failed > 0 ? 3 : 0;  // checks are of the whole
-  const StoredResults stored = current_records(store, outcome.finished);
+  if (!is_whole) return outcome.n_failed > 0 ? 3 : 0;
   const bool checks_hold = print_checks(outcome.finished, stored, options.overrides.empty(), console);
   print_warnings(outcome.finished, stored, console);
   return outcome.n_failed > 0 ? 3 : checks_hold ? 0 : 1;

@@ -1,11 +1,11 @@
 #include "harness/study/estimate.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "cases/scene/resolution.h"
 
@@ -229,10 +229,15 @@ double of_basis(const Scene& scene, const Contender& contender, bool timed) {
 }  // namespace
 
 double memory(const Scene& scene) {
-  std::array<double, 3> meshes{of_mesh(scene, scene.truth.finer), of_mesh(scene, scene.truth.coarser),
-                               of_mesh(scene, own_meshes(scene))};
-  std::ranges::sort(meshes, std::greater());
-  return meshes[0] + meshes[1] + memory_of_answers(scene) + program;
+  return memory_of_truths(scene, {scene.truth.finer, scene.truth.coarser, own_meshes(scene)});
+}
+
+double memory_of_truths(const Scene& scene, const std::vector<Resolution>& meshes) {
+  std::vector<double> dearest{0, 0};
+  for (const Resolution& mesh : meshes) dearest.push_back(of_mesh(scene, mesh));
+  std::ranges::sort(dearest, std::greater());
+  // Marks begin, with the truths' own bars, when no mesh is left.
+  return std::max(dearest[0] + dearest[1], answers_of_marks * of_answer(scene)) + memory_of_answers(scene) + program;
 }
 
 double memory_of_answers(const Scene& scene) { return 5 * of_answer(scene); }

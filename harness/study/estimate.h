@@ -36,11 +36,12 @@ Estimate estimate(const Scene& scene, const Catalogue& catalogue);
 //   answers     8 B (3 points + 6 strained points) samples of each body; and 256 MiB
 //   complex     960 k^2 B                     of k modes coupled by a dashpot, in closed form
 //   marks       4 answers, and 12 an analysis: frames, weights and spectra beside them
-//   two truths  the dearest mesh and the next, computed at a time, and 5 answers
+//   truths      5 answers, and the dearest mesh of those to compute and the next, two at a time, or their marks
 //
 // Measured: what a run takes at its peak grows by a quarter to all of this (memory_peak_test.cc). Modes: counted, as
 // allocated at once.
-double memory(const Scene& scene);                                             // of the truths
+double memory(const Scene& scene);  // of the truths, none of them stored
+double memory_of_truths(const Scene& scene, const std::vector<Resolution>& meshes);  // those read, but on these meshes
 double memory_of_answers(const Scene& scene);                                  // theirs alone, once they are there
 double memory(const Scene& scene, const Resolution& mesh);                     // of one mesh and one answer
 double memory(const Scene& scene, const Contender& contender, bool timed);     // that, with its modes and states

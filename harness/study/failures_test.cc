@@ -7,7 +7,6 @@
 #include "harness/store/store.h"
 #include "harness/study/catalogue_test.h"
 #include "harness/study/identity.h"
-#include "harness/study/run_case.h"
 #include "harness/study/stored.h"
 
 namespace mb {
@@ -158,6 +157,18 @@ TEST(FailureCases, DamagedResultsAreNamedAndComputedAgain) {
   EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml"}).err, HasSubstr("0 runs done, 5 found"));
 }
 
+// Of whichever run they are: the folder of tables is read as a whole.
+TEST(FailureCases, DamagedTablesOfOtherRunsAreNamed) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", small_case());
+  const std::string table = "results/findings/" + std::string(32, 'c') + ".json";
+  fs::create_directories(scratch / "results/findings");
+  written(scratch / table, "[");
+  const Said said = modalbench(scratch.path(), {"run", "case.toml", "--untimed", "-q"});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("left out: " + table));
+}
+
 // No results of their own: what a truth contains, and the motion that an answer left.
 TEST(FailureCases, WhatIsGoneBesideTheResultsIsMadeAgain) {
   const ScratchFolder scratch;
@@ -187,52 +198,6 @@ TEST(FailureCases, WhatIsGoneBesideTheResultsIsMadeAgain) {
     EXPECT_THAT(again.err, HasSubstr("computed again")) << is_cut;
     EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).err, HasSubstr("0 runs done, 4 found"));
   }
-}
-
-// The marks are there, their times are asked for, and there is no room to take them.
-TEST(FailureCases, AShortageOfMemoryTakesNoMarksAway) {
-  const ScratchFolder scratch;
-  written(scratch / "case.toml", small_case());
-  ASSERT_EQ(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).code, 0);
-  const auto scene = std::make_shared<const Scene>(read_toml(scratch / "case.toml", default_catalogue().vocabulary()));
-  const Store store(scratch / "results");
-  RunOptions options;
-  options.memory = 1e4;
-  const auto starved = run_case(scene, default_catalogue(), store, options, [](const std::string&) {});
-  EXPECT_EQ(starved.n_failed, 4);
-  for (const Record& r : store.read_all_records().records) EXPECT_EQ(r.status, "ok") << r.metric;
-  EXPECT_EQ(modalbench(scratch.path(), {"run", "case.toml"}).code, 0);
-}
-
-// What another process stores of its shortage while answers are computed gives way to them, and takes none away.
-TEST(FailureCases, AShortageOfAnotherProcessTakesNoAnswerAway) {
-  const ScratchFolder scratch;
-  written(scratch / "case.toml", replaced(small_case(), "[study]\n", "[study]\nanalyses = [\"probe-extremes\"]\n"));
-  const auto scene = std::make_shared<const Scene>(read_toml(scratch / "case.toml", default_catalogue().vocabulary()));
-  const Store store(scratch / "results");
-  const auto starve = [&](bool again) {
-    RunOptions options;
-    options.memory = 1e4;
-    options.timed = false;
-    options.again = again;
-    return run_case(scene, default_catalogue(), store, options, [](const std::string&) {}).n_failed;
-  };
-  RunOptions options;
-  options.timed = false;
-  int n_starved = 0;
-  const auto after_the_first = [&](const std::string& said) {
-    if (said.starts_with("[1/")) n_starved = starve(false);
-  };
-  EXPECT_EQ(run_case(scene, default_catalogue(), store, options, after_the_first).n_failed, 0);
-  EXPECT_GE(n_starved, 4) << "three runs and the table";
-  const auto expect_sound = [&] {
-    for (const Record& r : store.read_all_records().records) EXPECT_EQ(r.status, "ok") << r.metric;
-    for (const Finding& f : store.read_all_findings().findings) EXPECT_FALSE(is_failure(f)) << f.note;
-    EXPECT_EQ(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).code, 0);
-  };
-  expect_sound();
-  EXPECT_EQ(starve(true), n_starved + 1);
-  expect_sound();
 }
 
 // Rivals that are the truths themselves: under one name stand their marks, their times and what the truth contains.

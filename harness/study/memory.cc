@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* shortage = "out of memory";  // as solvers say it, too
+
 std::optional<double> number(const fs::path& file) {
   std::ifstream stream(file);
   std::string word;
@@ -98,9 +100,11 @@ std::optional<double> available_memory(const fs::path& root) {
 void require_memory(double needed, std::optional<double> available) {
   if (!available || needed <= *available) return;
   throw std::runtime_error(fmt::format(
-      "takes about {:.3g} GB of memory and {:.3g} GB are there; coarser meshes, fewer modes or samples take less",
-      1e-9 * needed, 1e-9 * *available));
+      "{}: takes about {:.3g} GB of memory and {:.3g} GB are there; coarser meshes, fewer modes or samples take less",
+      shortage, 1e-9 * needed, 1e-9 * *available));
 }
+
+bool is_shortage(const std::string& failure) { return failure.find(shortage) != std::string::npos; }
 
 int processes_that_fit(int n, const std::vector<double>& needed, std::optional<double> available) {
   double largest = 0;
@@ -112,7 +116,7 @@ int processes_that_fit(int n, const std::vector<double>& needed, std::optional<d
 std::string failure_text(const std::exception& error, double estimated) {
   if (dynamic_cast<const std::bad_alloc*>(&error) == nullptr) return error.what();
   const auto available = available_memory();
-  return fmt::format("out of memory: about {:.3g} GB were expected{}", 1e-9 * estimated,
+  return fmt::format("{}: about {:.3g} GB were expected{}", shortage, 1e-9 * estimated,
                      available ? fmt::format(", {:.3g} GB are there", 1e-9 * *available) : "");
 }
 

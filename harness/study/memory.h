@@ -28,4 +28,7 @@ int processes_that_fit(int n, const std::vector<double>& needed, std::optional<d
 // What an exception says; of std::bad_alloc, which says its name alone, what was estimated [byte] and what is there.
 std::string failure_text(const std::exception& error, double estimated);
 
+// Whether that is what a failure says of itself: what failed for want of memory may have it another time.
+bool is_shortage(const std::string& failure);
+
 }  // namespace mb

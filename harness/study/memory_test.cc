@@ -74,8 +74,15 @@ TEST(Memory, AnAllocationThatFailsIsToldInWords) {
 TEST(Memory, RefusesWithBothNumbers) {
   EXPECT_NO_THROW(require_memory(1e9, 1e9));
   EXPECT_NO_THROW(require_memory(1e12, std::nullopt));  // a system that does not tell
-  EXPECT_THAT([] { require_memory(3.2e10, 4e9); },
-              ThrowsMessage<std::runtime_error>(HasSubstr("about 32 GB of memory and 4 GB are there")));
+  EXPECT_THAT(
+      [] { require_memory(3.2e10, 4e9); },
+      ThrowsMessage<std::runtime_error>(HasSubstr("out of memory: takes about 32 GB of memory and 4 GB are there")));
+}
+
+TEST(Memory, KnowsWhatFailedForWantOfIt) {
+  EXPECT_TRUE(is_shortage("failed: " + failure_text(std::bad_alloc(), 1e9)));
+  EXPECT_TRUE(is_shortage("failed: CHOLMOD: out of memory"));
+  EXPECT_FALSE(is_shortage("failed: not positive definite"));
 }
 
 TEST(Memory, EstimateGrowsFasterThanTheMesh) {
@@ -89,6 +96,16 @@ TEST(Memory, EstimateGrowsFasterThanTheMesh) {
     before = now;
   }
   EXPECT_GT(memory(scene), memory(scene, scene.truth.finer));
+}
+
+// Truths that are stored are read, and no mesh of them is made.
+TEST(Memory, EstimateCountsTheTruthsThatAreComputed) {
+  Scene scene = test::read(test::cylinder_text());
+  scene.truth.finer = {2, {8, 16}};
+  const double read = memory_of_truths(scene, {}), one = memory_of_truths(scene, {scene.truth.finer});
+  EXPECT_GT(read, memory_of_answers(scene));
+  EXPECT_GT(one, read);
+  EXPECT_GT(memory(scene), one);
 }
 
 // Lanczos keeps three vectors a mode and their images; a dense solver holds several matrices of n^2 numbers.

@@ -81,7 +81,8 @@ class CaseRun {
   }
 
  private:
-  // Jobs of this part that are left to do. What failed before has failed: it counts every time it is asked for.
+  // Jobs of this part that are left to do. What failed before has failed: it counts every time it is asked for,
+  // but for want of memory, which may be there now.
   std::vector<Job> not_stored() {
     std::vector<Job> todo;
     for (const Job& job : part(all_, options_.shard)) {
@@ -126,7 +127,7 @@ class CaseRun {
     } catch (const StoreError&) {
       throw;
     } catch (const std::exception& error) {
-      const Record record = failed_truth(*scene_, error.what());
+      const Record record = failed_truth(*scene_, failure_text(error, memory(*scene_)));
       keep_failure(store_, record.run, {record});
       throw;
     }

@@ -29,7 +29,8 @@ struct CaseOutcome {
 // Records, trajectories, times and tables go to the store, one file each. A contender's failure is a record with a
 // status, an analysis' failure a table whose note says so. A run past the limit of its step is
 // "unstable", without a value or a trajectory (instability.h). Throws where the truth fails: one record, under the
-// truth's own name, says so. What is estimated to take more memory than there is fails before it is allocated.
+// truth's own name, says so. What is estimated to take more memory than there is fails before it is allocated; whatever
+// fails for want of memory is tried again by every later run.
 CaseOutcome run_case(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue, const Store& store,
                      const RunOptions& options, const Progress& progress);
 

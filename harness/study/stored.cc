@@ -8,6 +8,7 @@
 #include "harness/provenance.h"
 #include "harness/store/file.h"
 #include "harness/study/identity.h"
+#include "harness/study/memory.h"
 #include "reports/runs.h"
 
 namespace mb {
@@ -22,7 +23,9 @@ StoredJob stored_tables(const Job& job, const Store& store) {
   found.has_times = true;  // an analysis takes its own
   if (!store.has_findings(job.hash)) return found;
   Store::Findings tables = store.read_findings_of(job.hash);
-  found.has_result = tables.refused.empty();
+  found.has_result = tables.refused.empty() && std::ranges::none_of(tables.findings, [](const Finding& f) {
+                       return is_failure(f) && is_shortage(f.note);
+                     });
   found.failed = std::ranges::any_of(tables.findings, [](const Finding& f) { return is_failure(f); });
   found.damaged = std::move(tables.refused);
   return found;
@@ -50,8 +53,10 @@ StoredJob stored_marks(const Job& job, const Store& store) {
   const bool has_motion = store.has_trajectory(job.hash);
   const auto damaged = has_motion ? damage_of_motion(job.hash, store) : std::nullopt;
   if (damaged) found.damaged.push_back(*damaged);
-  found.has_result = marks.refused.empty() && !damaged && !std::ranges::all_of(marks.records, is_of_truth) &&
-                     (has_motion || !is_answer(marks.records));
+  found.has_result =
+      marks.refused.empty() && !damaged && !std::ranges::all_of(marks.records, is_of_truth) &&
+      (has_motion || !is_answer(marks.records)) &&
+      std::ranges::none_of(marks.records, [](const Record& r) { return is_failure(r) && is_shortage(r.status); });
   found.failed = std::ranges::any_of(marks.records, [](const Record& r) { return is_failure(r); });
   std::ranges::move(marks.refused, std::back_inserter(found.damaged));
   found.has_times = std::ranges::none_of(marks.records, [](const Record& r) { return r.status == "ok"; });

@@ -1,5 +1,6 @@
 // What the store holds of a job. "Stored" means the same everywhere: the file is there, every line of it is sound, and
-// it says something of the job. Anything else is computed again. And how failures are stored, which no run forgets.
+// it says something of the job: not that there was no memory for it. Anything else is computed again. And how failures
+// are stored, which no run forgets.
 #pragma once
 
 #include <string>

@@ -34,7 +34,8 @@ class TruthRuns {
             const Progress& progress)
       : scene_(std::move(scene)), catalogue_(catalogue), store_(store), progress_(progress) {}
 
-  // Whether the store held it.
+  // Whether the store may hold it, and whether it did.
+  bool has(const TruthJob& job) const { return store_.has_truth(truth_hash(*scene_, job.resolution, job.tolerance)); }
   bool find(const TruthJob& job) {
     auto stored = read(truth_hash(*scene_, job.resolution, job.tolerance));
     if (stored) *job.result = std::move(*stored);
@@ -113,12 +114,24 @@ class TruthRuns {
   std::set<std::string> told_;  // hashes of truths that were found damaged
 };
 
+// Of those that are missing and of reading the others; before either is begun.
+double memory_of(const std::vector<TruthJob>& missing, const Scene& scene) {
+  std::vector<Resolution> meshes;
+  for (const TruthJob& job : missing)
+    if (std::ranges::find(meshes, job.resolution) == meshes.end()) meshes.push_back(job.resolution);
+  return memory_of_truths(scene, meshes);
+}
+
+void require_feasible(const std::vector<TruthJob>& missing, const Scene& scene) {
+  if (!missing.empty()) require_storable(scene);
+  require_memory(memory_of(missing, scene), available_memory());
+}
+
 // All that are missing, or false where interrupted. The finer one costs about as much as the others together: two
 // lanes.
 bool computed(const std::vector<TruthJob>& missing, const TruthSet& set, TruthRuns& runs, const Scene& scene,
               const std::function<bool()>& interrupted) {
-  require_storable(scene);
-  require_memory(memory(scene), available_memory());
+  require_feasible(missing, scene);
   const auto is_finer = [&](const TruthJob& job) { return job.result == &set.finer; };
   try {
     auto lane = std::async(std::launch::async, [&] {
@@ -133,7 +146,7 @@ bool computed(const std::vector<TruthJob>& missing, const TruthSet& set, TruthRu
     }
     lane.get();
   } catch (const std::bad_alloc& error) {
-    throw std::runtime_error(failure_text(error, memory(scene)));
+    throw std::runtime_error(failure_text(error, memory_of(missing, scene)));
   }
   return true;
 }
@@ -165,6 +178,9 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
                                 {t.coarser, t.relative_tolerance, &set.coarser},
                                 {mesh, t.relative_tolerance / 100, &set.same_mesh},
                                 {mesh, t.relative_tolerance, &set.loose}};
+  std::vector<TruthJob> without_file = missing;
+  std::erase_if(without_file, [&](const TruthJob& job) { return runs.has(job); });
+  require_feasible(without_file, *scene);
   std::erase_if(missing, [&](const TruthJob& job) { return runs.find(job); });  // what is damaged is missing, too
   if (!missing.empty() && !computed(missing, set, runs, *scene, interrupted)) return {};
   if (!t.exact.empty()) {

@@ -40,10 +40,10 @@ Modes modes_of_a_mesh(const System& system, const Body& body, int n_elastic);
 Model make_model(const std::shared_ptr<const Scene>& scene, const Resolution& resolution);
 
 // Reads each from the store or computes it, two at a time. Throws std::runtime_error where an integration fails and,
-// before anything is allocated, where what is not stored is estimated to take more memory than there is or would be
-// more than a file of the store takes (storable.h); damaged files of the store are reported through progress and
-// computed again. interrupted is asked before each is begun, from the thread that calls: nothing is returned where it
-// said so, those that were done stand in the store.
+// before anything is allocated, where what is to be read and computed is estimated to take more memory than there is or
+// what is not stored would be more than a file of the store takes (storable.h); damaged files of the store are reported
+// through progress and computed again. interrupted is asked before each is begun, from the thread that calls: nothing
+// is returned where it said so, those that were done stand in the store.
 std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue,
                                const Store& store, const Progress& progress, const std::function<bool()>& interrupted);
 
