@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
 #include <csignal>
 #include <iostream>
@@ -17,9 +18,11 @@
 #include "harness/main.h"
 #include "harness/store/store.h"
 #include "harness/study/memory.h"
+#include "harness/study/overrides.h"
 #include "harness/study/processes.h"
 #include "mechanics/algebra/threads.h"
 #include "reports/publish.h"
+#include "version.h"
 
 namespace mb {
 
@@ -109,10 +112,7 @@ void add_run(CLI::App& app, const Catalogue& catalogue, Action& action) {
   command->add_option("--store", options->store, "where results are kept")->capture_default_str()->check(named);
   command
       ->add_option("--set", options->overrides,
-                   "KEY=VALUE[,VALUE...] for modal.methods, modal.modes, modal.integrators, modal.time_steps, "
-                   "modal.relative_tolerances, modal.contact_steps, rival.integrators, rival.degrees, rival.cells, "
-                   "rival.time_steps, "
-                   "rival.relative_tolerances, study.analyses; may be given again")
+                   fmt::format("KEY=VALUE[,VALUE...] for {}; may be given again", fmt::join(set_keys(), ", ")))
       ->take_all()
       ->allow_extra_args(false);
   command->add_option("--jobs", options->jobs, "processes; times are taken afterwards, alone")
@@ -238,6 +238,7 @@ int delivered(int code, const Console& console) {
 
 int harness_main(int argc, char** argv, const Catalogue& catalogue) {
   CLI::App app{"Modalbench: what accuracy costs, for modal methods in elastodynamics", "modalbench"};
+  app.set_version_flag("--version", std::string("modalbench ") + version, "print the version of the program and exit");
   app.require_subcommand(1);
   app.fallthrough();
   Action action;

@@ -269,6 +269,9 @@ TEST(ProgramCases, UsageErrorsAreExitCodeTwo) {
   EXPECT_THAT(said.err, HasSubstr("did you mean 'body'"));
   EXPECT_EQ(modalbench(scratch.path(), {"list", "xyz"}).code, 2);
   EXPECT_EQ(modalbench(scratch.path(), {"--help"}).code, 0);
+  EXPECT_THAT(modalbench(scratch.path(), {"--help"}).out, ::testing::HasSubstr("--version"));
+  EXPECT_THAT(modalbench(scratch.path(), {"--version"}).out,
+              ::testing::MatchesRegex("modalbench [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
 TEST(ProgramCases, AStoreThatCannotBeWrittenIsExitCodeTwo) {

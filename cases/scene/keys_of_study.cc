@@ -6,8 +6,8 @@ namespace mb {
 const std::vector<KeyGroup>& study_keys() {
   static const std::vector<KeyGroup> groups{
       {"`[truth]`",
-       {{"truth.relative_tolerance", "a number", "[1e-12, 0.01]", "", "required",
-         "of the adaptive integration; error bars take a hundredth of it", "1e-6"},
+       {{"truth.relative_tolerance", "a number", "[1e-10, 0.01]", "", "required",
+         "of the adaptive integration; error bars take a hundredth of it, which is 1e-12 at least", "1e-6"},
         {"truth.finer", "a table", "", "", "required",
          "the mesh of the truth `finer`; finer than the bodies' own and `coarser`",
          "{ degree = 3, cells = [2, 2, 4] }"},

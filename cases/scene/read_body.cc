@@ -69,12 +69,15 @@ BodyDraft read_body(Section section, const HistoryContext& context) {
   BodyDraft body;
   body.name = section.name("name");
   body.theory = read_theory(section);
-  if (auto shape = section.section("shape")) body.shape = read_body_shape(*shape);
+  ShapeDraft draft;
+  if (auto shape = section.section("shape")) draft = read_body_shape(*shape);
+  body.shape = draft.shape;
+  body.of_kind = draft.of_kind;
   if (auto material = section.section("material")) body.material = read_material(*material);
   if (auto damping = section.section("damping", true)) body.damping = read_damping(*damping);
   if (auto resolution = section.section("resolution")) body.resolution = read_mesh(*resolution, body);
-  body.supports = read_supports(section, body.shape, context);
-  body.dashpots = read_dashpots(section, body.shape);
+  body.supports = read_supports(section, draft, context);
+  body.dashpots = read_dashpots(section, draft);
   body.kinematics = read_kinematics(section);
   body.pose = read_pose(section, "pose");
   body.twist = read_twist(section);

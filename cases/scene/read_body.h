@@ -12,7 +12,7 @@ namespace mb {
 // A body as far as it could be read: what refers to it is still checked where something else in it is wrong.
 struct BodyDraft {
   std::optional<std::string> name;
-  std::optional<Shape> shape;
+  std::optional<Shape> shape, of_kind;  // read_shape.h
   std::optional<Material> material;
   std::optional<Resolution> resolution;
   DampingDraft damping;

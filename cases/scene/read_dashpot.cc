@@ -5,7 +5,7 @@
 
 namespace mb {
 
-DashpotDrafts read_dashpots(Section& body, const std::optional<Shape>& shape) {
+DashpotDrafts read_dashpots(Section& body, const ShapeDraft& shape) {
   DashpotDrafts drafts;
   for (Section& section : body.sections("dashpot", {0, 64})) {
     drafts.at.push_back(section.where());

@@ -1,6 +1,7 @@
 // [[body.dashpot]]: dampers between a body and the ground.
 #pragma once
 
+#include "cases/scene/read_shape.h"
 #include "cases/scene/scene.h"
 #include "cases/scene/section.h"
 
@@ -11,6 +12,6 @@ struct DashpotDrafts {
   std::vector<Position> at;      /* of all of them, right or wrong */
 };
 
-DashpotDrafts read_dashpots(Section& body, const std::optional<Shape>& shape);
+DashpotDrafts read_dashpots(Section& body, const ShapeDraft& shape);
 
 }  // namespace mb

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/scene/number_text.h"
 #include "cases/scene/table_file.h"
 
 namespace mb {
@@ -18,16 +19,20 @@ const Range phase_range{-1e3, 1e3, "rad"};
 const Range omega_range{0, 1e9, "rad/s", true};
 const Range sweep_range{0, 1e9, "rad/s"};
 constexpr std::size_t most_entries = 10000;
+constexpr double most_periods = 1e6;
 
 // Times nearer than this are one to every integrator, and to adaptive ones a step they cannot make.
-double apart(const HistoryContext& context) { return 1e-12 * context.longest_duration; }
+double apart(const HistoryContext& context) { return 1e-12 * context.longest_duration.value_or(0); }
+bool has_ended(double t, const HistoryContext& context) {
+  return context.longest_duration && t >= *context.longest_duration;
+}
 Range amplitude_range(const HistoryContext& context) { return {-1e6, 1e6, context.amplitude_unit}; }
 
 std::optional<double> read_length(Section& section, const HistoryContext& context) {
   const auto length = section.number("duration", length_range);
   if (!length || *length >= apart(context)) return length;
-  section.error("duration",
-                fmt::format("a load lasts 1e-12 of the case at least, {:.6g} s: {} s", apart(context), *length));
+  section.error("duration", fmt::format("a load lasts 1e-12 of the case at least, {} s: {} s",
+                                        number_text(apart(context)), number_text(*length)));
   return std::nullopt;
 }
 
@@ -37,19 +42,20 @@ struct Common {
 
 Common read_common(Section& section, const HistoryContext& context) {
   const Common common{section.number("amplitude", amplitude_range(context), 1), section.number("start", time_range, 0)};
-  if (common.start >= context.longest_duration) {
-    section.error("start", fmt::format("the load starts at {} s, but the case ends at {} s", common.start,
-                                       context.longest_duration));
+  if (has_ended(common.start, context)) {
+    section.error("start", fmt::format("the load starts at {} s, but the case ends at {} s", number_text(common.start),
+                                       number_text(*context.longest_duration)));
   }
   return common;
 }
 
 // Adaptive steps follow every period, some ten each: a million take days, and units are more likely wrong.
 bool has_few_periods(Section& section, const char* key, double omega, const HistoryContext& context) {
-  const double periods = omega * context.longest_duration / (2 * std::numbers::pi);
-  if (periods <= 1e6) return true;
-  section.error(key, fmt::format("{} rad/s are {:.3g} periods until the case ends at {} s: at most 1e6", omega, periods,
-                                 context.longest_duration));
+  const double periods = omega * context.longest_duration.value_or(0) / (2 * std::numbers::pi);
+  if (periods <= most_periods) return true;
+  section.error(key, fmt::format("{} rad/s are {} periods until the case ends at {} s: at most {}", number_text(omega),
+                                 number_beside(periods, most_periods), number_text(*context.longest_duration),
+                                 number_text(most_periods)));
   return false;
 }
 
@@ -118,11 +124,11 @@ bool ascends(const NamedTable& named, Section& section, const HistoryContext& co
     const bool later = t[i] > t[i - 1];
     const std::string found =
         named.file.empty()
-            ? fmt::format("t = {} s at entry {} follows {} s", t[i], i + 1, t[i - 1])
+            ? fmt::format("t = {} s at entry {} follows {} s", number_text(t[i]), i + 1, number_text(t[i - 1]))
             : named.entry(i) + (later ? " follows the entry before by less" : " does not follow the entry before");
-    section.error(named.key,
-                  later ? fmt::format("times must be 1e-12 of the duration apart, {} s: {}", apart(context), found)
-                        : "times must ascend: " + found);
+    section.error(named.key, later ? fmt::format("times must be 1e-12 of the duration apart, {} s: {}",
+                                                 number_text(apart(context)), found)
+                                   : "times must ascend: " + found);
     return false;
   }
   return true;
@@ -145,30 +151,32 @@ std::optional<History> read_table(Section& section, const HistoryContext& contex
   const bool in_order = ascends(*named, section, context), in_range = within_ranges(*named, section, context);
   if (!in_order || !in_range) return std::nullopt;
   const Table& table = named->read.table;
-  if (table.t.front() < context.longest_duration) return table;
-  section.error(named->key, named->file.empty() ? fmt::format("the load starts at {} s, but the case ends at {} s",
-                                                              table.t.front(), context.longest_duration)
-                                                : fmt::format("the load starts after the case has ended, at {} s",
-                                                              context.longest_duration));
+  if (!has_ended(table.t.front(), context)) return table;
+  const std::string end = number_text(*context.longest_duration);
+  section.error(named->key, named->file.empty()
+                                ? fmt::format("the load starts at {} s, but the case ends at {} s",
+                                              number_text(table.t.front()), end)
+                                : fmt::format("the load starts after the case has ended, at {} s", end));
   return std::nullopt;
 }
 
 std::optional<History> read_expression(Section& section, const HistoryContext& context) {
   const auto formula = section.text("formula", 256);
   if (!formula) return std::nullopt;
-  const std::string problem = expression_problem(*formula, context.longest_duration, context.looked_at);
+  const double duration = context.longest_duration.value_or(0);
+  const std::string problem = expression_problem(*formula, duration, context.looked_at);
   if (!problem.empty()) {
     section.error("formula", printable(problem, 200));
     return std::nullopt;
   }
   const Expression expression{*formula};
   const Range range = amplitude_range(context);
-  double largest = peak(expression, context.longest_duration);
+  double largest = peak(expression, duration);
   const auto s = evaluator(expression);
   for (const double t : context.looked_at) largest = std::max(largest, std::abs(s(t)));
   if (range.contains(largest)) return expression;
-  section.error("formula",
-                fmt::format("the formula reaches {:.3g} in absolute value, outside {}", largest, to_string(range)));
+  section.error("formula", fmt::format("the formula reaches {} in absolute value, outside {}",
+                                       number_beside(largest, range.most), to_string(range)));
   return std::nullopt;
 }
 

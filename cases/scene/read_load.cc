@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "cases/scene/names.h"
 #include "cases/scene/read_direction.h"
 #include "cases/scene/read_patch.h"
 
@@ -58,7 +57,7 @@ bool does_work(const Traction& traction, const Support& support, const Shape& sh
 void check_against_supports(Section& section, const Traction& traction, const BodyDraft& body) {
   for (const Support& support : body.supports.supports) {
     if (support.patch.face != traction.patch.face || support.patch.disc) continue;
-    if (does_work(traction, support, *body.shape)) continue;
+    if (does_work(traction, support, *body.of_kind)) continue;
     section.error("face", fmt::format("the {} on face '{}' does no work: a {} support holds that face",
                                       traction.pressure != 0 ? "pressure" : "traction", support.patch.face,
                                       to_string(support.kind)));
@@ -67,8 +66,7 @@ void check_against_supports(Section& section, const Traction& traction, const Bo
 
 std::optional<Traction> read_traction(Section section, const std::vector<BodyDraft>& bodies) {
   const BodyDraft* body = read_body_reference(section, bodies);
-  const std::optional<Shape> shape = body == nullptr ? std::nullopt : body->shape;
-  const auto patch = read_patch(section, shape);
+  const auto patch = read_patch(section, body == nullptr ? ShapeDraft{} : ShapeDraft{body->shape, body->of_kind});
   const auto force = read_force(section);
   section.finish();
   if (!patch || !force) return std::nullopt;
@@ -93,8 +91,10 @@ void check_turning(Section& section, const std::vector<Traction>& tractions, con
 
 }  // namespace
 
-std::optional<Load> read_load(Section section, const std::vector<BodyDraft>& bodies, const HistoryContext& context) {
+std::optional<Load> read_load(Section section, const std::vector<BodyDraft>& bodies, const HistoryContext& context,
+                              Names& names) {
   const auto name = section.name("name");
+  names.add(section, name);
   const bool follows = read_follows(section);
   const auto history_section = section.section("history");
   const auto history = history_section ? read_history(*history_section, context) : std::nullopt;
@@ -109,8 +109,9 @@ std::optional<Load> read_load(Section section, const std::vector<BodyDraft>& bod
   return Load{*name, *history, std::move(tractions), follows};
 }
 
-std::optional<Probe> read_probe(Section section, const std::vector<BodyDraft>& bodies) {
+std::optional<Probe> read_probe(Section section, const std::vector<BodyDraft>& bodies, Names& names) {
   const auto name = section.name("name");
+  names.add(section, name);
   const BodyDraft* body = read_body_reference(section, bodies);
   const auto point = section.vector("point", {-1e4, 1e4, "m"});
   const auto direction = read_direction(section, "direction");

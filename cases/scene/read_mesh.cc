@@ -29,7 +29,7 @@ std::optional<Resolution> read_mesh(Section section, const BodyDraft& body) {
   for (const char* key : {"degree", "cells"}) section.has(key);  // as messages list them
   const int graded = section.integer("graded", graded_range, 0);
   // Of which theory is not known where that is wrong: then nor is what cells stand for.
-  const std::optional<Shape> shape = body.theory ? body.shape : std::nullopt;
+  const std::optional<Shape> shape = body.theory ? body.of_kind : std::nullopt;
   const Theory theory = body.theory.value_or(Theory::solid);
   const Uneven uneven = read_uneven(section, shape, theory);
   auto resolution = read_resolution(section, shape, theory);
@@ -43,8 +43,18 @@ std::optional<Resolution> read_mesh(Section section, const BodyDraft& body) {
   }
   if (!resolution || graded == 0) return resolution;
   resolution->graded = graded;
-  if (shape && !check_mesh(*shape, *resolution, section.where("graded"), section.findings(), theory)) return {};
+  const bool sized = body.theory && body.shape;
+  if (sized && !check_mesh(*body.shape, *resolution, section.where("graded"), section.findings(), theory)) return {};
   return resolution;
+}
+
+void check_ratios(const BodyDraft& body, const Resolution& mesh, const Position& where, Findings& findings) {
+  if (!body.shape || !body.theory) return;
+  const double most = n_elastic(*body.shape, mesh, *body.theory);
+  const std::size_t n = body.damping.ratios.size();
+  if (static_cast<double>(n) <= most) return;
+  findings.error(where, fmt::format("{} damping ratios: {} of body '{}' has at most {:.0f} elastic modes", n,
+                                    to_string(mesh), body.name.value_or(""), most));
 }
 
 }  // namespace mb

@@ -12,4 +12,7 @@ inline const Range graded_range{0, 12};
 // boxes that are solids.
 std::optional<Resolution> read_mesh(Section section, const BodyDraft& body);
 
+// Records where the body states more damping ratios than it has elastic modes on such a mesh: full order damps them.
+void check_ratios(const BodyDraft& body, const Resolution& mesh, const Position& where, Findings& findings);
+
 }  // namespace mb

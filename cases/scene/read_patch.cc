@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cases/scene/number_text.h"
 #include "cases/scene/resolution.h"
 
 namespace mb {
@@ -12,9 +13,9 @@ namespace {
 
 std::optional<Disc> read_disc(Section section, const Shape& shape, const std::optional<std::string>& face) {
   const double size = extent(shape);
-  const auto centre = section.vector("centre", {-size, size, "m"});
+  const auto centre = section.vector("centre", {-nine_digits(size), nine_digits(size), "m"});
   // Below a hundredth of the body the weight falls between the quadrature points of any mesh that may be asked for.
-  const auto radius = section.number("radius", {0.01 * size, size, "m"});
+  const auto radius = section.number("radius", {nine_digits(0.01 * size), nine_digits(size), "m"});
   section.finish();
   if (!centre || !radius) return std::nullopt;
   const double tolerance = placement_tolerance(shape);
@@ -34,16 +35,16 @@ Words face_words(const Shape& shape) {
           fmt::format("faces of a {}", kind_name(shape))};
 }
 
-std::optional<Patch> read_patch(Section& section, const std::optional<Shape>& shape) {
-  if (!shape) {  // its faces are not known
+std::optional<Patch> read_patch(Section& section, const ShapeDraft& draft) {
+  if (!draft.of_kind) {  // its faces are not known
     section.has("face");
     section.has("disc");
     return std::nullopt;
   }
-  const auto face = section.choice("face", face_words(*shape));
+  const auto face = section.choice("face", face_words(*draft.of_kind));
   const bool has_disc = section.has("disc");
   const auto table = section.section("disc", true);
-  const auto disc = table ? read_disc(*table, *shape, face) : std::nullopt;
+  const auto disc = table && draft.shape ? read_disc(*table, *draft.shape, face) : std::nullopt;
   if (!face || (has_disc && !disc)) return std::nullopt;
   return Patch{*face, disc};
 }

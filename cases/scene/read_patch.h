@@ -1,6 +1,7 @@
 // `face` and, optionally, `disc = { centre, radius }`: where a support or a traction acts.
 #pragma once
 
+#include "cases/scene/read_shape.h"
 #include "cases/scene/section.h"
 #include "mechanics/geometry/patch.h"
 #include "mechanics/geometry/shape.h"
@@ -13,7 +14,8 @@ Words face_words(const Shape& shape);
 // error.
 double placement_tolerance(const Shape& shape);  // [m]
 
-// Reads both keys of the section, which the caller finishes. Nothing where they are wrong, or where the shape is.
-std::optional<Patch> read_patch(Section& section, const std::optional<Shape>& shape);
+// Reads both keys of the section, which the caller finishes. Nothing where they are wrong, or where the shape is of no
+// known kind, or of no known size and has a disc.
+std::optional<Patch> read_patch(Section& section, const ShapeDraft& draft);
 
 }  // namespace mb

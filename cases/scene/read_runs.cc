@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/scene/number_text.h"
 #include "cases/scene/read_mesh.h"
 #include "cases/scene/resolution.h"
 
@@ -29,10 +30,13 @@ void check_ascending(const std::vector<Located<int>>& numbers, const std::string
 using CellLists = std::vector<Located<std::vector<int>>>;
 
 void check_meshes(const Rival& rival, const CellLists& cells, const BodyDraft& body, Findings& findings) {
-  if (!body.shape || !body.theory) return;
+  const auto& shape = rival.graded > 0 ? body.shape : body.of_kind;
+  if (!shape || !body.theory) return;
   const int degree = rival.degrees.empty() ? 1 : rival.degrees.back();
-  for (const auto& entry : cells)
-    check_mesh(*body.shape, {degree, entry.value, rival.graded}, entry.where, findings, *body.theory);
+  for (const auto& entry : cells) {
+    if (!check_mesh(*shape, {degree, entry.value, rival.graded}, entry.where, findings, *body.theory)) continue;
+    for (const int each : rival.degrees) check_ratios(body, {each, entry.value, rival.graded}, entry.where, findings);
+  }
 }
 
 // Those of the second body, one a mesh of the first. Without bodies these are not known, but not against it.
@@ -59,6 +63,11 @@ struct Accuracy {
   std::size_t size() const { return time_steps.size() + relative_tolerances.size(); }
 };
 
+Range step_range(const std::optional<double>& duration) {
+  if (!duration) return {0, 1e5, "s", true};  // as a duration
+  return {nine_digits(*duration / most_steps), *duration, "s"};
+}
+
 // Time steps of an integrator with fixed ones, tolerances of one that chooses its own.
 Accuracy read_accuracy(Section& section, const std::string& integrator, const RunContext& context) {
   const bool adaptive = is_among(integrator, context.vocabulary.adaptive_integrators);
@@ -71,8 +80,7 @@ Accuracy read_accuracy(Section& section, const std::string& integrator, const Ru
     if (!section.has(own)) return {};  // once is enough
   }
   if (!section.has(own) && !is_known) return {};
-  const Range steps{context.duration / most_steps, context.duration, "s"};
-  const auto values = section.numbers(own, adaptive ? Range{1e-12, 1e-2} : steps, {1, 64});
+  const auto values = section.numbers(own, adaptive ? Range{1e-12, 1e-2} : step_range(context.duration), {1, 64});
   Accuracy accuracy;
   (adaptive ? accuracy.relative_tolerances : accuracy.time_steps) = values.value_or(std::vector<double>{});
   return accuracy;
@@ -170,7 +178,7 @@ double n_runs(const Stepping& stepping, const Vocabulary& vocabulary) {
 
 void check_runs(Section& section, const char* key, double n) {
   if (n <= most_runs) return;
-  section.error(key, fmt::format("{} {} runs: at most {}", n, key, most_runs));
+  section.error(key, fmt::format("{:.0f} {} runs: at most {:.0f}", n, key, most_runs));
 }
 
 }  // namespace

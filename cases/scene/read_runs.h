@@ -8,15 +8,17 @@
 
 namespace mb {
 
+// Nothing: not known, since it is wrong.
 struct StudyTimes {
-  double shortest, own;  // [s] shortest duration of all profiles; duration of the profile that is read
+  std::optional<double> shortest, own;  // [s] shortest duration of all profiles; duration of the profile that is read
 };
 
 struct RunContext {
   // Those whose meshes the runs must suit; none where a profile replaces the runs.
   std::vector<BodyDraft> bodies;
   const Vocabulary& vocabulary;
-  double duration;  // [s] shortest of the profiles that share the runs: no time step may exceed it
+  // [s] shortest of the profiles that share the runs: no time step may exceed it. Nothing: not known.
+  std::optional<double> duration;
 };
 
 std::vector<Rival> read_rivals(Section& section, const RunContext& context);

@@ -5,18 +5,20 @@
 #include <algorithm>
 #include <set>
 
+#include "cases/contract/kept.h"
 #include "cases/contract/touchdown.h"
 #include "cases/scene/check_text.h"
 #include "cases/scene/closed_form.h"
 #include "cases/scene/contact_rules.h"
 #include "cases/scene/names.h"
+#include "cases/scene/number_text.h"
 #include "cases/scene/read_load.h"
+#include "cases/scene/read_mesh.h"
 #include "cases/scene/read_profile.h"
 #include "cases/scene/read_study.h"
 #include "cases/scene/read_theory.h"
 #include "cases/scene/read_time.h"
 #include "cases/scene/read_truth.h"
-#include "cases/scene/resolution.h"
 
 namespace mb {
 
@@ -49,24 +51,15 @@ void read_prose(Section& root, Scene& scene) {
 }
 
 void check_crossings(Section& section, const BodyDraft& body, const Times& times) {
-  if (!body.shape || !body.material) return;
-  const double crossings = times.longest() * shear_wave_speed(*body.material) / extent(*body.shape);
+  const auto longest = times.longest();
+  if (!body.shape || !body.material || !longest) return;
+  const double crossings = *longest * shear_wave_speed(*body.material) / extent(*body.shape);
   if (crossings <= most_crossings) return;
-  section.findings().error(section.where(),
-                           fmt::format("a shear wave crosses the body {:.3g} times in {} s: at most {:.0g}", crossings,
-                                       times.longest(), most_crossings),
-                           "check the units of youngs_modulus, density, shape and duration");
-}
-
-// Each ratio belongs to a mode of the body's mesh.
-void check_ratios(const BodyDraft& body, Findings& findings) {
-  if (!body.shape || !body.resolution || !body.theory) return;
-  const double most = n_elastic(*body.shape, *body.resolution, *body.theory);
-  const auto n = static_cast<double>(body.damping.ratios.size());
-  if (n <= most) return;
-  findings.error(body.damping.ratios_at,
-                 fmt::format("{} damping ratios: {} of body '{}' has at most {:.0f} elastic modes", n,
-                             to_string(*body.resolution), body.name.value_or(""), most));
+  section.findings().error(
+      section.where(),
+      fmt::format("a shear wave crosses the body {} times in {} s: at most {}",
+                  number_beside(crossings, most_crossings), number_text(*longest), number_text(most_crossings)),
+      "check the units of youngs_modulus, density, shape and duration");
 }
 
 std::vector<BodyDraft> read_bodies(Section& root, const Times& times, const HistoryContext& history) {
@@ -94,20 +87,14 @@ void require_load(Section& root, const std::vector<BodyDraft>& bodies, const Con
 void read_loads(Section& root, const std::vector<BodyDraft>& bodies, const HistoryContext& context, Scene& scene) {
   Names names("load");
   for (Section& section : root.sections("load", {0, 64})) {
-    auto load = read_load(section, bodies, context);
-    if (!load) continue;
-    names.add(section, load->name);
-    scene.loads.push_back(std::move(*load));
+    if (auto load = read_load(section, bodies, context, names)) scene.loads.push_back(std::move(*load));
   }
 }
 
 void read_probes(Section& root, const std::vector<BodyDraft>& bodies, Scene& scene) {
   Names names("probe");
   for (Section& section : root.sections("probe", {0, 64})) {
-    auto probe = read_probe(section, bodies);
-    if (!probe) continue;
-    names.add(section, probe->name);
-    scene.probes.push_back(std::move(*probe));
+    if (auto probe = read_probe(section, bodies, names)) scene.probes.push_back(std::move(*probe));
   }
 }
 
@@ -158,6 +145,17 @@ std::vector<BodyDraft> read_mechanics(Section& root, const Times& times, const H
   return bodies;
 }
 
+// What only a scene that is complete can be asked.
+void check_whole(Section& root, const Scene& scene, const TruthDraft& truth, const Times& times) {
+  Findings& findings = root.findings();
+  const std::string problem = closed_form_problem(scene);
+  if (!problem.empty()) findings.error(truth.exact_at, printable(problem, 300));
+  for (const Body& body : scene.bodies)
+    if (const std::string overlap = overlap_at_start(scene, body); !overlap.empty())
+      findings.error(root.where_key("contact"), printable(overlap, 300));
+  if (const std::string kept = kept_problem(scene); !kept.empty()) findings.error(times.samples_per_second_at, kept);
+}
+
 // As much of the scene as can be read; complete where nothing was recorded.
 Scene read_parts(Section root, const Context& context, const std::string& name) {
   Scene scene{};
@@ -167,7 +165,8 @@ Scene read_parts(Section root, const Context& context, const std::string& name) 
   auto profile = read_profile(root, name);
   const HistoryContext history{context.folder, times.longest(), times.looked_at()};
   const std::vector<BodyDraft> bodies = bodies_in(profile, read_mechanics(root, times, history, scene));
-  for (const BodyDraft& body : bodies) check_ratios(body, root.findings());
+  for (const BodyDraft& body : bodies)
+    if (body.resolution) check_ratios(body, *body.resolution, body.damping.ratios_at, root.findings());
   read_probes(root, bodies, scene);
   const TruthDraft truth = read_truth_of(root, profile, bodies);
   std::optional<Study> study;
@@ -186,16 +185,12 @@ Scene read_parts(Section root, const Context& context, const std::string& name) 
   for (const BodyDraft& body : bodies) scene.bodies.push_back(completed(body));
   scene.truth = truth.settings.value();
   scene.study = study.value();
-  scene.duration = times.duration.at(name);
+  scene.duration = times.duration.at(name).value();
   scene.frame_rate = times.frame_rate;
   scene.samples_per_second = times.samples_per_second;
   scene.samples_from = times.samples_from;
   scene.profile = name;
-  const std::string problem = closed_form_problem(scene);
-  if (!problem.empty()) root.findings().error(truth.exact_at, printable(problem, 300));
-  for (const Body& body : scene.bodies)
-    if (const std::string overlap = overlap_at_start(scene, body); !overlap.empty())
-      root.findings().error(root.where_key("contact"), printable(overlap, 300));
+  check_whole(root, scene, truth, times);
   return scene;
 }
 

@@ -57,14 +57,21 @@ std::optional<Shape> read_sized(Section& section, const std::string& kind, const
   return radius && length ? std::optional<Shape>(Cylinder{*radius, *length}) : std::nullopt;
 }
 
+Shape unit_shape(const std::string& kind) {
+  if (kind == "box") return Box{Vector3d::Ones()};
+  if (kind == "cylinder") return Cylinder{1, 1};
+  if (kind == "sphere") return Sphere{1};
+  return Superquadric{Vector3d::Ones(), 1, 1};
+}
+
 }  // namespace
 
-std::optional<Shape> read_body_shape(Section section) {
+ShapeDraft read_body_shape(Section section) {
   const auto kind = read_kind(section, {"box", "cylinder", "sphere", "superquadric"});
-  if (!kind) return std::nullopt;
-  auto shape = read_sized(section, *kind, meshed);
+  if (!kind) return {};
+  const auto shape = read_sized(section, *kind, meshed);
   section.finish();
-  return shape;
+  return {shape, shape ? *shape : unit_shape(*kind)};
 }
 
 std::optional<std::variant<HalfSpace, Shape>> read_obstacle_shape(Section section) {

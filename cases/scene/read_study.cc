@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/scene/number_text.h"
 #include "cases/scene/resolution.h"
 
 namespace mb {
@@ -71,10 +72,11 @@ std::vector<int> effective_modes(Section& section, std::optional<Section>& profi
 
 // A scene may touch all the time, and what has begun is not interrupted.
 bool are_few(Section& table, const char* key, const std::vector<double>& steps, double duration) {
+  const double least = nine_digits(duration / most_contact_steps);
   for (const double step : steps) {
-    if (step * most_contact_steps >= duration) continue;
-    table.error(key, fmt::format("steps of {} s could be more than {:.0e} within {} s: at least {:.3g} s", step,
-                                 most_contact_steps, duration, duration / most_contact_steps));
+    if (step >= least) continue;
+    table.error(key, fmt::format("steps of {} s could be more than {} within {} s: at least {} s", number_text(step),
+                                 number_text(most_contact_steps), number_text(duration), number_text(least)));
     return false;
   }
   return true;
@@ -82,12 +84,12 @@ bool are_few(Section& table, const char* key, const std::vector<double>& steps, 
 
 // Likewise the steps while bodies touch. contact: whether there is any; nothing: not known.
 std::vector<double> effective_contact_steps(Section& section, std::optional<Section>& profile, bool required,
-                                            const std::optional<bool>& contact, double duration) {
+                                            const std::optional<bool>& contact, const std::optional<double>& duration) {
   const char* const key = "contact_steps";
   const auto read = [&](Section& table) -> std::optional<std::vector<double>> {
     if (contact != false) {
       auto steps = table.numbers(key, {0, 1, "s", true}, {1, 64});
-      return steps && are_few(table, key, *steps, duration) ? steps : std::nullopt;
+      return steps && (!duration || are_few(table, key, *steps, *duration)) ? steps : std::nullopt;
     }
     table.findings().error(table.where_key(key),
                            fmt::format("'{}' in {}: only scenes with contact take it", key, table.title()));
@@ -166,7 +168,7 @@ std::vector<std::string> read_analyses(Section& section, const Vocabulary& vocab
 // What a profile replaces is read all the same, for its types and ranges, but not against the profile's meshes.
 template <class Read>
 auto effective(Section& section, std::optional<Section>& profile, const std::string& key, const RunContext& shared,
-               double duration, Read read) {
+               const std::optional<double>& duration, Read read) {
   const bool replaced = profile && profile->has(key);
   auto base = read(section, replaced ? RunContext{{}, shared.vocabulary, shared.duration} : shared);
   return replaced ? read(*profile, RunContext{shared.bodies, shared.vocabulary, duration}) : base;

@@ -48,8 +48,8 @@ std::optional<Drive> read_drive(Section& section, const HistoryContext& context)
   return Drive{*direction, *acceleration};
 }
 
-std::optional<Support> read_support(Section& section, const std::optional<Kind>& kind,
-                                    const std::optional<Shape>& shape, const HistoryContext& context) {
+std::optional<Support> read_support(Section& section, const std::optional<Kind>& kind, const ShapeDraft& shape,
+                                    const HistoryContext& context) {
   const auto patch = read_patch(section, shape);
   const auto drive = kind == Kind::driven ? read_drive(section, context) : std::nullopt;
   if (!kind) {  // it may be driven
@@ -57,7 +57,7 @@ std::optional<Support> read_support(Section& section, const std::optional<Kind>&
     section.has("acceleration");
   }
   section.finish();
-  if (!kind || !patch || !simulated(section, *kind, *patch, *shape)) return std::nullopt;
+  if (!kind || !patch || !simulated(section, *kind, *patch, *shape.of_kind)) return std::nullopt;
   if (kind == Kind::driven && !drive) return std::nullopt;
   return Support{*kind, *patch, drive};
 }
@@ -94,7 +94,7 @@ const char* to_string(Kind kind) {
   return names[static_cast<int>(kind)];
 }
 
-SupportDrafts read_supports(Section& body, const std::optional<Shape>& shape, const HistoryContext& context) {
+SupportDrafts read_supports(Section& body, const ShapeDraft& shape, const HistoryContext& context) {
   SupportDrafts drafts;
   auto& supports = drafts.supports;
   for (Section& section : body.sections("support", {0, 64})) {

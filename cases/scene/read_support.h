@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases/scene/read_history.h"
+#include "cases/scene/read_shape.h"
 #include "cases/scene/scene.h"
 
 namespace mb {
@@ -13,7 +14,7 @@ struct SupportDrafts {
 };
 
 // context: of a load's history; the histories of driven supports are accelerations.
-SupportDrafts read_supports(Section& body, const std::optional<Shape>& shape, const HistoryContext& context);
+SupportDrafts read_supports(Section& body, const ShapeDraft& shape, const HistoryContext& context);
 
 const char* to_string(Support::Kind kind);  // "fixed", "sliding", "mean", "diaphragm", "driven"
 

@@ -8,11 +8,13 @@
 namespace mb {
 
 struct Times {
-  std::map<std::string, double> duration;  // [s] of quick, standard, full; stand-ins of 1 s where they were wrong
-  double frame_rate = 1, samples_per_second = 1;  // [1/s]
-  double samples_from = 0;                        // [s]
-  double shortest() const;                        // [s]
-  double longest() const;                         // [s]
+  std::map<std::string, std::optional<double>> duration;  // [s] of quick, standard, full; nothing where wrong
+  double frame_rate = 1, samples_per_second = 1;          // [1/s]
+  Position samples_per_second_at = {};
+  double samples_from = 0;  // [s]
+  // [s] of all profiles; nothing where one of them is wrong: then nothing is held to it.
+  std::optional<double> shortest() const;
+  std::optional<double> longest() const;
   std::vector<double> looked_at() const;  // [s] frames and samples of the longest profile, the first 1e5 of each
 };
 

@@ -14,6 +14,9 @@ namespace mb {
 
 namespace {
 
+// Error bars take a hundredth of it, and the adaptive integrators' least is 1e-12: below that rounding rules.
+const Range tolerance_range{1e-10, 1e-2};
+
 struct Mesh {
   std::optional<Resolution> resolution;
   Position where;
@@ -114,6 +117,12 @@ void check_is_apart(const Resolution& finer, const Resolution& coarser, const Po
                          largest));
 }
 
+void check_ratios_of_all(const std::vector<BodyDraft>& bodies, const Mesh& mesh, Findings& findings) {
+  if (!mesh.resolution) return;
+  for (size_t i = 0; i < bodies.size(); ++i)
+    check_ratios(bodies[i], i == 0 ? *mesh.resolution : mesh.resolution->others.at(i - 1), mesh.where, findings);
+}
+
 // Errors stand at what the profile states, where it does.
 void check_meshes(const Mesh& finer, const Mesh& coarser, std::optional<Section>& profile,
                   const std::vector<BodyDraft>& bodies, Findings& findings) {
@@ -143,7 +152,7 @@ void check_meshes(const Mesh& finer, const Mesh& coarser, std::optional<Section>
 }  // namespace
 
 TruthDraft read_truth(Section section, std::optional<Section>& profile, const std::vector<BodyDraft>& bodies) {
-  const auto tolerance = section.number("relative_tolerance", {1e-12, 1e-2});
+  const auto tolerance = section.number("relative_tolerance", tolerance_range);
   const Mesh finer = read_mesh(section, profile, "finer", bodies);
   const Mesh coarser = read_mesh(section, profile, "coarser", bodies);
   TruthDraft draft{std::nullopt, section.has("exact"), section.where("exact")};
@@ -151,6 +160,7 @@ TruthDraft read_truth(Section section, std::optional<Section>& profile, const st
   if (draft.has_exact) exact = section.choice("exact", {closed_form_names(), "closed form", "closed forms"});
   section.finish();
   check_meshes(finer, coarser, profile, bodies, section.findings());
+  for (const Mesh& mesh : {finer, coarser}) check_ratios_of_all(bodies, mesh, section.findings());
   if (tolerance && finer.resolution && coarser.resolution && exact) {
     draft.settings = TruthSettings{*tolerance, *finer.resolution, *coarser.resolution, *exact};
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cases/scene/nearest.h"
+#include "cases/scene/number_text.h"
 
 namespace mb {
 
@@ -13,23 +14,8 @@ bool Range::contains(double x) const {
   return (open_least ? x > least : x >= least) && (open_most ? x < most : x <= most);
 }
 
-namespace {
-
-// As people write it in a case file: 1e13 and 1e-6, not 1e+13 and 1e-06.
-std::string brief(double x) {
-  std::string text = fmt::format("{:.9g}", x);
-  const std::size_t at = text.find('e');
-  if (at == std::string::npos) return text;
-  if (text[at + 1] == '+') text.erase(at + 1, 1);
-  const std::size_t digits = text.find_first_of("0123456789", at);
-  if (text[digits] == '0') text.erase(digits, 1);
-  return text;
-}
-
-}  // namespace
-
 std::string to_string(const Range& range) {
-  return fmt::format("{}{}, {}{}{}{}", range.open_least ? '(' : '[', brief(range.least), brief(range.most),
+  return fmt::format("{}{}, {}{}{}{}", range.open_least ? '(' : '[', number_text(range.least), number_text(range.most),
                      range.open_most ? ')' : ']', range.unit.empty() ? "" : " ", range.unit);
 }
 

@@ -92,7 +92,7 @@ class Section {
   struct Item {
     const TomlValue* value;
     std::string label;
-  };  // label: "'modes'", "entry 2 of 'modes'"
+  };  // label: "'modes'", "entry 2 of 'modes'": entries count from 1, as lines and columns do
 
   const TomlEntry* entry(const std::string& key) const;
   std::optional<std::vector<double>> as_numbers(const std::string& key, const Item& array, const Range& range,

@@ -7,6 +7,7 @@
 
 #include "cases/scene/name.h"
 #include "cases/scene/nearest.h"
+#include "cases/scene/number_text.h"
 #include "cases/scene/section.h"
 
 namespace mb {
@@ -51,10 +52,9 @@ std::optional<double> Section::as_number(const Item& item, const Range& range) {
   }
   if (range.contains(x)) return x + 0.0;  // -0 becomes 0
   const auto* integer = std::get_if<std::int64_t>(&item.value->value);
-  findings_->error(
-      item.value->where,
-      fmt::format("{} is {}, outside {}", item.label,
-                  integer == nullptr ? fmt::format("{}", x) : fmt::format("{}", *integer), to_string(range)));
+  findings_->error(item.value->where,
+                   fmt::format("{} is {}, outside {}", item.label,
+                               integer == nullptr ? number_text(x) : fmt::format("{}", *integer), to_string(range)));
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cases/contract/status.h"
 #include "cases/exact/exact.h"
 #include "cases/scene/keys.h"
 #include "cases/scene/nearest.h"
@@ -12,6 +13,7 @@
 #include "harness/commands/formulas.h"
 #include "harness/commands/paragraph.h"
 #include "harness/metrics/definitions.h"
+#include "harness/study/overrides.h"
 #include "harness/study/plan.h"
 #include "reports/claims.h"
 #include "reports/definitions.h"
@@ -40,6 +42,37 @@ std::vector<Meaning> words_of_reports() {
   return all;
 }
 
+// How runs end, as records and `check.status` say it.
+std::vector<Meaning> words_of_status() {
+  return {
+      {"status of a run",
+       unstable,
+       {{"",
+         "A result without a value: the answer grows past all bounds, as that of steps past the limit of their "
+         "integrator. `unstable: by theory alone` where theory foretells the growth and the run does not show it: "
+         "no check takes that for unstable."}}},
+      {"status of a run", to_string(Status::not_finite), {{"", "A result without a value: the answer overflows."}}}};
+}
+
+// What --set replaces: for the contenders of all tables at once, what the key of a case file is for one.
+std::vector<Meaning> words_of_set() {
+  std::vector<Meaning> all;
+  for (const std::string& key : set_keys()) {
+    const std::string name = key.substr(key.find('.') + 1);
+    const bool reduced = key.starts_with("modal."), full_order = key.starts_with("rival.");
+    const std::string of = reduced      ? "of all reduced contenders"
+                           : full_order ? "of all full-order contenders"
+                                        : "of the study";
+    std::string values = key == "rival.cells" ? "1x4,2x4" : "VALUE[,VALUE...]";
+    Meaning meaning{"key of run --set", key, {{"", fmt::format("`{}` {}, in place of the case's.", name, of)}}};
+    meaning.parts.push_back({"for example", fmt::format("run CASE --set {}={}", key, values)});
+    if (key == "modal.integrators") meaning.parts.push_back({"", "`exact` is the closed form."});
+    if (key == "rival.integrators" || key == "study.analyses") meaning.parts.push_back({"", "`none`: without any."});
+    all.push_back(std::move(meaning));
+  }
+  return all;
+}
+
 std::vector<Meaning> vocabulary(const Catalogue& catalogue) {
   std::vector<Meaning> all;
   for (const MeasureDoc& d : measure_docs())
@@ -58,7 +91,8 @@ std::vector<Meaning> vocabulary(const Catalogue& catalogue) {
                       {key.fallback.starts_with("required") ? "needed" : "default", key.fallback},
                       {"for example",
                        key.example.empty() ? "" : key.path.substr(key.path.rfind('.') + 1) + " = " + key.example}}});
-  for (Meaning& one : words_of_reports()) all.push_back(std::move(one));
+  for (auto& words : {words_of_set(), words_of_status(), words_of_reports()})
+    all.insert(all.end(), words.begin(), words.end());
   return all;
 }
 
@@ -95,17 +129,22 @@ void print(const Meaning& meaning, std::ostream& out) {
     if (!text.empty()) out << paragraph(text, "  " + (label.empty() ? "" : label + ": "), "    ");
 }
 
-// Keys by their whole path or its last parts: "density", "material.density"; words of reports by their first:
-// "speed-up".
+// Keys by their whole path or its last parts: "density", "material.density"; words of reports by their first,
+// "speed-up", truths by their own: "same_mesh".
 bool is_named(const Meaning& meaning, const std::string& word) {
-  return meaning.name == word || meaning.name.ends_with("." + word) || meaning.name.starts_with(word + " ");
+  return meaning.name == word || meaning.name.ends_with("." + word) || meaning.name.starts_with(word + " ") ||
+         meaning.name.starts_with(word + ",") || meaning.name == "truth " + word;
 }
+
+// By which it is listed: "closed form" of "closed form, steps in contact", which would be two of a list.
+std::string listed_name(const Meaning& meaning) { return meaning.name.substr(0, meaning.name.find(',')); }
 
 std::vector<std::string> known_words(const std::vector<Meaning>& meanings) {
   std::vector<std::string> words;
   for (const Meaning& meaning : meanings) {
-    words.push_back(meaning.name);
-    words.push_back(meaning.name.substr(meaning.name.rfind('.') + 1));
+    words.push_back(listed_name(meaning));
+    if (meaning.name.starts_with("truth ")) words.push_back(meaning.name.substr(6));
+    words.push_back(words.back().substr(words.back().rfind('.') + 1));
   }
   for (const auto& file : all_cases()) words.push_back(file.stem());
   std::sort(words.begin(), words.end());

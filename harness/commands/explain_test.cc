@@ -10,6 +10,7 @@
 #include "harness/metrics/metric.h"
 #include "harness/program_test.h"
 #include "harness/store/scratch_folder_test.h"
+#include "harness/study/overrides.h"
 
 namespace mb {
 namespace {
@@ -33,6 +34,10 @@ TEST(ExplainTest, SaysWhatEachKindOfWordMeans) {
                                                        {"density", "kg/m^3"},
                                                        {"load.history.kind", "pulse: A sin^2"},
                                                        {"speed-up", "cheapest full-order run"},
+                                                       {"same_mesh", "the contender's own M and K"},
+                                                       {"unstable", "past the limit"},
+                                                       {"not_finite", "overflows"},
+                                                       {"closed form", "the body flies in closed form"},
                                                        {"C2", "judged by: "}};
   for (const auto& [word, told_of_it] : words) {
     const test::Told said = explain(folder.path(), word);
@@ -71,6 +76,28 @@ TEST(ExplainTest, AnUnknownWordGetsTheNearest) {
   }
   EXPECT_THROW(explain(folder.path(), ""), UsageError);
   EXPECT_THROW(explain(folder.path(), "."), UsageError);
+}
+
+TEST(ExplainTest, KnowsEveryKeyOfSet) {
+  const ScratchFolder folder;
+  for (const std::string& key : set_keys()) EXPECT_THAT(explain(folder.path(), key).out, HasSubstr(key + " (key of"));
+}
+
+TEST(ExplainTest, ListsEveryWordOnce) {
+  const ScratchFolder folder;
+  try {
+    explain(folder.path(), "zzzqqqqzzzqqqqzzzqqqq");
+    FAIL();
+  } catch (const UsageError& error) {
+    const std::string all = error.what(), words = all.substr(all.find("known: ") + 7);
+    std::set<std::string> seen;
+    for (size_t at = 0; at < words.size();) {
+      const size_t end = std::min(words.find(", ", at), words.size());
+      EXPECT_TRUE(seen.insert(words.substr(at, end - at)).second) << words.substr(at, end - at);
+      at = end + 2;
+    }
+    EXPECT_TRUE(seen.contains("same_mesh") && seen.contains("unstable") && seen.contains("closed form"));
+  }
 }
 
 TEST(DefinitionsTest, EveryMetricHasFormulaUnitAndSource) {

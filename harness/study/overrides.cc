@@ -13,19 +13,6 @@ namespace mb {
 
 namespace {
 
-const std::vector<std::string> known_keys{"modal.methods",
-                                          "modal.modes",
-                                          "modal.integrators",
-                                          "modal.time_steps",
-                                          "modal.relative_tolerances",
-                                          "modal.contact_steps",
-                                          "rival.integrators",
-                                          "rival.degrees",
-                                          "rival.cells",
-                                          "rival.time_steps",
-                                          "rival.relative_tolerances",
-                                          "study.analyses"};
-
 bool is_text(const TomlValue& value, const std::string& text) {
   const auto* own = std::get_if<std::string>(&value.value);
   return own != nullptr && *own == text;
@@ -192,6 +179,7 @@ std::vector<BodyDraft> drafts(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     BodyDraft draft{.name = body.name,
                     .shape = body.shape,
+                    .of_kind = body.shape,
                     .material = body.material,
                     .resolution = body.resolution,
                     .damping = {},
@@ -210,8 +198,24 @@ std::vector<BodyDraft> drafts(const Scene& scene) {
 
 }  // namespace
 
+const std::vector<std::string>& set_keys() {
+  static const std::vector<std::string> keys{"modal.methods",
+                                             "modal.modes",
+                                             "modal.integrators",
+                                             "modal.time_steps",
+                                             "modal.relative_tolerances",
+                                             "modal.contact_steps",
+                                             "rival.integrators",
+                                             "rival.degrees",
+                                             "rival.cells",
+                                             "rival.time_steps",
+                                             "rival.relative_tolerances",
+                                             "study.analyses"};
+  return keys;
+}
+
 Overrides::Overrides(const std::vector<std::string>& assignments, const Vocabulary& vocabulary)
-    : assignments_(read_assignments(assignments, known_keys, "rival.cells")), vocabulary_(vocabulary) {}
+    : assignments_(read_assignments(assignments, set_keys(), "rival.cells")), vocabulary_(vocabulary) {}
 
 Scene Overrides::applied(Scene scene) const {
   if (empty()) return scene;

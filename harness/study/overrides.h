@@ -18,6 +18,8 @@
 
 namespace mb {
 
+const std::vector<std::string>& set_keys();  // as above
+
 class Overrides {
  public:
   // assignments as given. Throws CaseErrors with every key that is unknown or given twice.
