@@ -29,17 +29,25 @@ double size_of_column(const Finding& a, size_t j) {
   return largest;
 }
 
-enum class Cells { all, texts_and_counts };  // of tables
+enum class Cells { all, within_bars, texts_and_counts };  // of tables
 
-// Cells of tables, of the largest in their column.
+double sum_of_bars(const Finding& a, const Finding& b, size_t i, size_t j) {
+  if (a.bars.empty()) return 0;
+  const double sum = a.bars[i][j] + b.bars[i][j];
+  return std::isnan(sum) ? 0 : sum;
+}
+
+// Cells of tables, of the largest in their column; within bars: those that have some, which tell of rounding, too.
 void expect_near(const Finding& a, const Finding& b, double relative, Cells cells) {
   ASSERT_EQ(a.rows.size(), b.rows.size()) << a.name;
   ASSERT_EQ(a.bars.size(), b.bars.size()) << a.name;
   for (size_t i = 0; i < a.rows.size(); ++i)
     for (size_t j = 0; j < a.columns.size(); ++j) {
       if (cells == Cells::texts_and_counts && !a.columns[j].unit.empty()) continue;
+      if (cells == Cells::within_bars && !(sum_of_bars(a, b, i, j) > 0)) continue;
       const std::string what = fmt::format("{}, row {}, {}", a.name, i + 1, a.columns[j].name);
-      const double tolerance = relative * size_of_column(a, j);
+      const double allowed = cells == Cells::within_bars ? sum_of_bars(a, b, i, j) : 0;
+      const double tolerance = relative * size_of_column(a, j) + allowed;
       ASSERT_EQ(a.rows[i][j].index(), b.rows[i][j].index()) << what;
       if (a.rows[i][j].index() == 0) {
         EXPECT_EQ(a.rows[i][j], b.rows[i][j]) << what;
@@ -183,6 +191,7 @@ coarser = { degree = 2, cells = [2, 2, 2] }
 methods = ["eigenmodes", "static-correction"]
 modes = [12]
 contact_steps = [5e-5]
+analyses = ["contact-stability"]
 )";
 
 std::string hard_case(const std::string& name) {
@@ -201,9 +210,10 @@ class ThreadsCases : public ::testing::TestWithParam<Threaded> {};
 
 // The rounding of some hundred steps, far below every error bar; in contact, whose touches begin and end by a bit
 // earlier or later, 6e-11 was seen. Tables and motions hold differences and times of extremes, too, which lose two
-// digits more; steps are chosen by an error estimate of 1e-4. Of
-// hard cases, over some ten thousand steps, 5e-9 was seen; their tables hold sizes of rounding itself, but what they
-// count and say is the same.
+// digits more; steps are chosen by an error estimate of 1e-4. A box that falls flat on a stiff layer touches with one
+// sample after another, as rounding has it: the map's bars say so, and what it calls unstable may change. Of hard
+// cases, over some ten thousand steps, 5e-9 was seen; their tables hold sizes of rounding itself, but what they count
+// and say is the same.
 TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRounding) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", GetParam().content);
@@ -234,7 +244,7 @@ TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRounding) {
 INSTANTIATE_TEST_SUITE_P(Of, ThreadsCases,
                          ::testing::Values(Threaded{"free", finely_meshed_case(), 7, true, 1e-10},
                                            Threaded{"dashpot", dashpot_case, 7, true, 1e-10},
-                                           Threaded{"contact", contact_case, 5, false, 1e-9},
+                                           Threaded{"contact", contact_case, 5, true, 1e-9, Cells::within_bars},
                                            Threaded{"distorted", hard_case("distorted-mesh"), 7, true, 1e-8,
                                                     Cells::texts_and_counts},
                                            Threaded{"nearly_degenerate", hard_case("nearly-degenerate-bar"), 7, true,

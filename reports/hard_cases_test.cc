@@ -132,9 +132,13 @@ TEST(VerificationTable, NamesReferenceUncertaintyToleranceReasonAndResult) {
 }
 
 TEST(VerificationTable, DocumentIsMarkdownWhateverTheTexts) {
-  const std::string text = verification_document(evaluate(input(0.001, 1e-4)));
+  ReportInput twice = input(0.001, 1e-4);
+  twice.scenes.push_back(twice.scenes[0]);
+  twice.scenes.back().profile = "full";
+  const std::string text = verification_document(evaluate(twice));
   EXPECT_EQ(text.find("# Verification\n"), 0u);
   EXPECT_NE(text.find("- **hard**: Ours."), std::string::npos);
+  EXPECT_EQ(text.find("- **hard**"), text.rfind("- **hard**"));
   EXPECT_NE(text.find("but for a \\| pipe"), std::string::npos);
 }
 

@@ -1,5 +1,7 @@
 #include "reports/verification.h"
 
+#include <set>
+
 #include "reports/check_cells.h"
 #include "reports/environment.h"
 #include "reports/number.h"
@@ -89,8 +91,10 @@ std::string verification_document(const Evaluation& evaluation) {
   text += "Made by `modalbench report` from stored results" +
           (commit.name.empty() ? std::string() : " of commit " + markdown_text(commit.name)) +
           "; nothing here was written by hand. Sources of the cases:\n\n";
+  std::set<std::string> sources;  // of a case in two profiles once
   for (const Scene& scene : evaluation.input.scenes)
-    text += "- **" + markdown_text(scene.name) + "**: " + markdown_text(scene.source) + "\n";
+    sources.insert("- **" + markdown_text(scene.name) + "**: " + markdown_text(scene.source) + "\n");
+  for (const std::string& line : sources) text += line;
   return text + "\n" + markdown(table);
 }
 

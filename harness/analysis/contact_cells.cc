@@ -23,11 +23,25 @@ double gained_energy(const Trajectory& run, const VariedLayer& layer) {
   return 1 + gain / (layer.encounter.mass * speed * speed / 2);
 }
 
+// Every way of moving at once by 1e-12 of the speed, above the rounding of modes and far below what anybody asks for:
+// a symmetric impact would hide what turns a body over.
+FloatingBases nudged(FloatingBases bases) {
+  const double nudge = 1e-12 * bases.front().start.v.norm();  // [m/s]
+  for (FloatingBasis& one : bases) {
+    one.start.p.array() += nudge * std::sqrt(one.body.mass);
+    if (!one.body.free) continue;
+    one.start.v.array() += nudge;
+    one.start.L.array() += nudge * std::sqrt(one.body.mass * one.body.inertia.trace());
+  }
+  return bases;
+}
+
 // Nothing where it failed: a body that is thrown about may come to where nothing is known of the contact.
-std::optional<Trajectory> finite_run(const VariedLayer& layer, const Integrator& scheme, double dt) try {
+std::optional<Trajectory> finite_run(const VariedLayer& layer, const std::shared_ptr<const FloatingBases>& bases,
+                                     const Integrator& scheme, double dt) try {
   Settings settings;
   settings.time_step = dt;
-  Trajectory run = prepare_floating(layer.bases, scheme, settings)
+  Trajectory run = prepare_floating(bases, scheme, settings)
                        ->simulate({.t = sample_times(layer.scene)});  // energies come with strains
   return run.status == Status::ok ? std::optional(std::move(run)) : std::nullopt;
 } catch (const std::runtime_error&) {
@@ -60,27 +74,44 @@ Apart apart(const FirstImpact& one, const FirstImpact& reference) {
   return {std::abs(one.peak / reference.peak - 1), std::abs(one.impulse / reference.impulse - 1)};
 }
 
+// Infinity where either is none.
+double larger(double a, double b) {
+  return std::isfinite(a + b) ? std::max(a, b) : std::numeric_limits<double>::infinity();
+}
+
+// Of one run.
+struct Seen {
+  double energy = std::numeric_limits<double>::infinity();
+  Apart off{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+};
+Seen seen_of(const VariedLayer& layer, const std::shared_ptr<const FloatingBases>& bases, const Integrator& scheme,
+             double dt) {
+  const auto run = finite_run(layer, bases, scheme, dt);
+  if (!run) return {};
+  return {gained_energy(*run, layer), apart(first_impact(*run, *run), layer.reference)};
+}
+
 }  // namespace
 
 double VariedLayer::opening_limit() const { return mb::opening_limit(pressed, encounter.mass, grown - 1); }
 
-double ContactCell::error() const {
-  const double largest = std::max(of_peak, of_impulse);
-  return std::isfinite(of_peak + of_impulse) ? largest : std::numeric_limits<double>::infinity();
-}
+double ContactCell::error() const { return larger(of_peak, of_impulse); }
 
 double contact_step(const Encounter& encounter, int i) {
   return 2 * encounter.meeting.size.duration * std::pow(0.5, i);
 }
 
+double ContactCell::bar() const { return larger(bar_of_peak, bar_of_impulse); }
+
 ContactCell contact_cell(const VariedLayer& layer, const Integrator& scheme, double dt) {
   ContactCell one{dt, pressed_radius(layer.pressed, scheme.name, dt)};
-  if (const auto run = finite_run(layer, scheme, dt)) {
-    one.energy = gained_energy(*run, layer);
-    const Apart off = apart(first_impact(*run, *run), layer.reference);
-    one.of_peak = off.peak, one.of_impulse = off.impulse;
-    if (one.energy <= grown) one.found = one.error() <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
-  }
+  const Seen seen = seen_of(layer, layer.bases, scheme, dt), nudged = seen_of(layer, layer.nudged, scheme, dt);
+  one.energy = seen.energy, one.of_peak = seen.off.peak, one.of_impulse = seen.off.impulse;
+  one.bar_of_energy = 2 * std::abs(seen.energy - nudged.energy);
+  one.bar_of_peak = layer.bar_of_peak + 2 * std::abs(seen.off.peak - nudged.off.peak);
+  one.bar_of_impulse = layer.bar_of_impulse + 2 * std::abs(seen.off.impulse - nudged.off.impulse);
+  if (one.energy <= grown)
+    one.found = one.error() + one.bar() <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
   one.verdict = verdict_of(one, layer, scheme.name);
   return one;
 }
@@ -95,11 +126,12 @@ std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const Con
   scene.samples_per_second = samples / T;
   std::vector<VariedLayer> all;
   for (const double factor : factors) {
-    VariedLayer layer{encounter, factor, pressed(variants, encounter, r, factor), scene, nullptr, {}};
+    VariedLayer layer{encounter, factor, pressed(variants, encounter, r, factor), scene, nullptr, nullptr, {}};
     layer.scene.contacts.at(contact).stiffness = factor * size.stiffness;
     const ContactContender finest{
         .method = method, .modes = r, .time_step = contact_step(encounter, contact_steps_tried + 1)};
     layer.bases = variants.bases(layer.scene, finest);
+    layer.nudged = std::make_shared<const FloatingBases>(nudged(*layer.bases));
     layer.pressed.yields = static_yields(*layer.bases, encounter);
     const Trajectory reference = variants.simulate(layer.scene, finest);
     layer.reference = first_impact(reference, reference);

@@ -16,7 +16,7 @@ struct VariedLayer {
   double factor;
   PressedModes pressed;
   Scene scene;
-  std::shared_ptr<const FloatingBases> bases;
+  std::shared_ptr<const FloatingBases> bases, nudged;  // nudged: moving otherwise by 1e-12 of the speed
   FirstImpact reference;
   // [-] How far that may be off in peak and impulse: by halving the least step once more, of order one or more.
   double bar_of_peak = 0, bar_of_impulse = 0;
@@ -36,10 +36,14 @@ struct ContactCell {
   double dt, radius;
   double energy = std::numeric_limits<double>::infinity();
   double of_peak = std::numeric_limits<double>::quiet_NaN(), of_impulse = of_peak;
+  // [-] How far the reference may be off, and twice what a nudge of 1e-12 of the speed moves: where many samples touch
+  // in turn rounding decides which.
+  double bar_of_energy = 0, bar_of_peak = 0, bar_of_impulse = 0;
   StepClass found = StepClass::unstable;
   std::string verdict = {};
 
   double error() const;  // the larger of both; infinity: there is none
+  double bar() const;    // likewise
 };
 ContactCell contact_cell(const VariedLayer& layer, const Integrator& scheme, double dt);
 

@@ -11,20 +11,23 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Of the larger root of lambda^2 - (2 + trace) lambda + (1 + trace + determinant) = 0: trace and determinant of A - I,
-// since ln|lambda| would be lost in 1 at small steps.
+// Of the roots of lambda^2 - (2 + trace) lambda + (1 + trace + determinant) = 0: trace and determinant of A - I, since
+// ln|lambda| would be lost in 1 at small steps.
 double damping_of(double trace, double determinant) {
-  const double square = trace * trace / 4 - determinant;
-  double log_modulus = 0, phase = pi;
+  constexpr double rounding = 1e-12;
+  const double square = trace * trace / 4 - determinant, root = std::sqrt(std::abs(square));
   if (square < 0) {
-    log_modulus = std::log1p(trace + determinant) / 2;
-    phase = std::atan2(std::sqrt(-square), 1 + trace / 2);
-  } else {
-    const double lambda = 1 + trace / 2 + std::copysign(std::sqrt(square), 1 + trace / 2);
-    if (!(lambda < 0)) return nan;
-    log_modulus = std::log(-lambda);
+    const double log_modulus = std::log1p(trace + determinant) / 2;
+    return -log_modulus / std::hypot(log_modulus, std::atan2(root, 1 + trace / 2));
   }
-  return -log_modulus / std::hypot(log_modulus, phase);
+  const double lower = 1 + trace / 2 - root, upper = 1 + trace / 2 + root;
+  if (lower > 0) {
+    const double fast = std::log1p(trace / 2 - root), slow = std::log1p(trace / 2 + root);
+    return fast * slow > 0 ? -(fast + slow) / (2 * std::sqrt(fast * slow)) : nan;
+  }
+  if (!(-lower > std::abs(upper) + rounding)) return nan;  // neither outlasts the other
+  const double log_modulus = std::log(-lower);
+  return -log_modulus / std::hypot(log_modulus, pi);
 }
 
 }  // namespace
@@ -37,8 +40,9 @@ double step_damping(const Scheme& scheme, double omega_h, double zeta) {
 }
 
 double run_damping(const System& system, const SteppedMode& mode, const Integrator& integrator, double dt) {
-  constexpr Index n_samples = 6;       // enough to tell two unknowns and to even out rounding
-  constexpr double most_steps = 4000;  // between samples: modes slower than that are told less precisely
+  constexpr Index n_samples = 6;               // enough to tell two unknowns and to even out rounding
+  constexpr double most_steps = 4000;          // between samples: modes slower than that are told less precisely
+  constexpr double told_from_rounding = 1e-6;  // [-] of both states' decay between samples: one may be gone
   const double steps = std::clamp(std::floor(1 / (mode.omega * dt)), 1.0, most_steps);
   // Not from the start: there central differences step by the initial velocity.
   const VectorXd times = steps * dt * VectorXd::LinSpaced(n_samples, 1, n_samples);
@@ -58,6 +62,7 @@ double run_damping(const System& system, const SteppedMode& mode, const Integrat
   }
   if (!equations.allFinite() || !right.allFinite()) return nan;
   const VectorXd found = equations.colPivHouseholderQr().solve(right);
+  if (std::abs(1 + found(0) + found(1)) < told_from_rounding) return nan;
   return damping_of(found(0), found(1));
 }
 

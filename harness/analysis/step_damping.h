@@ -4,8 +4,13 @@
 //   zeta_num = -ln|lambda| / Omega,   Omega = |ln lambda| = sqrt(ln^2|lambda| + arg^2 lambda)
 //
 // Omega is the numerical omega h: a scheme without error has zeta_num = zeta, explicit Euler without damping
-// -ln(1 + omega^2 h^2)/2 over sqrt(ln^2(1 + omega^2 h^2)/4 + atan^2(omega h)). NaN where the answer does not swing, its
-// lambda being positive. Hughes 2000, The Finite Element Method, sect. 9.1.3, for algorithmic damping.
+// -ln(1 + omega^2 h^2)/2 over sqrt(ln^2(1 + omega^2 h^2)/4 + atan^2(omega h)). Of an answer that creeps, both lambda
+// being positive, the same continued beyond critical damping, where Omega^2 = ln lambda_1 ln lambda_2:
+//
+//   zeta_num = -(ln lambda_1 + ln lambda_2) / (2 sqrt(ln lambda_1 ln lambda_2))
+//
+// NaN where neither holds: one grows and one decays, or signs differ and the negative one does not outlast. Hughes
+// 2000, The Finite Element Method, sect. 9.1.3, for algorithmic damping.
 #pragma once
 
 #include "harness/analysis/step_limit.h"
@@ -16,7 +21,7 @@ double step_damping(const Scheme& scheme, double omega_h, double zeta);  // omeg
 
 // The same from a run of the integrator, let go from rest in the mode: lambda^m of every m-th displacement, m omega h
 // about 1, by least squares of y_{k+2} = T y_{k+1} - D y_k: nothing is assumed but that a mode has two states. NaN
-// where it does not swing or is not finite.
+// where that is NaN, where one state is gone below 1e-6 between samples, or where the run is not finite.
 double run_damping(const System& system, const SteppedMode& mode, const Integrator& integrator, double dt);
 
 }  // namespace mb

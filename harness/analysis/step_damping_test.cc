@@ -37,7 +37,18 @@ TEST(StepDamping, TendsToTheRatioAtTheOrderOfTheScheme) {
 TEST(StepDamping, IsThatOfGrowthBeyondTheLimitAndNoneWhereNothingSwings) {
   EXPECT_LT(step_damping(scheme("central-difference"), 2.1, 0.01), -0.05);
   EXPECT_GT(step_damping(scheme("central-difference"), 1.9, 0.01), 0);
-  EXPECT_TRUE(std::isnan(step_damping(scheme("newmark"), 0.1, 1.5)));
+  EXPECT_TRUE(std::isnan(step_damping(scheme("newmark"), 1, 1e8)));  // eigenvalues 1 - 1e-8 and 1e-8 - 1
+}
+
+// Through critical damping and beyond, where an ulp more or less changes nothing.
+TEST(StepDamping, GoesOnWhereTheAnswerCreeps) {
+  const double below = std::nextafter(1.0, 0.0), above = std::nextafter(1.0, 2.0);
+  for (const char* name : {"newmark", "central-difference"}) {
+    for (const double zeta : {below, 1.0, above})
+      EXPECT_NEAR(step_damping(scheme(name), 1e-2, zeta), 1, 1e-4) << name << zeta;
+    const auto error = [&](double x) { return std::abs(step_damping(scheme(name), x, 1.5) - 1.5); };
+    EXPECT_NEAR(std::log2(error(2e-2) / error(1e-2)), 2, 0.02) << name;
+  }
 }
 
 // The integrators themselves, each mode beside others.

@@ -18,6 +18,12 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+// An undamped mode has the rounding of C, of which explicit Euler's limit would be made.
+double without_rounding(double zeta) { return zeta < 1e-15 ? 0 : zeta; }
+VectorXd ratios(const System& system, const Modes& modes) {
+  return damping_ratios(system, modes).unaryExpr(&without_rounding);
+}
+
 // One system whose limits are asked for: what is known of its modes, and what can be run.
 struct Subject {
   std::string name;
@@ -40,7 +46,7 @@ Beside beside(const AnalysisContext& context, int n_elastic) {
   const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
   const ModalBody body = modal_body(context, n_elastic, meshes);
   const Index n = body.modes.size() - body.modes.n_rigid;
-  return {body.modes.omega.tail(n), damping_ratios(body.system, body.modes).cwiseMax(0), bar_per_distance};
+  return {body.modes.omega.tail(n), ratios(body.system, body.modes), bar_per_distance};
 }
 
 Subject reduced_subject(const ModalBody& body, int r, const Beside& other) {
@@ -48,7 +54,7 @@ Subject reduced_subject(const ModalBody& body, int r, const Beside& other) {
   const Index n_rigid = modes.n_rigid, n = modes.size() - n_rigid;
   System system = project(body.system, modes);
   Modes unit{n_rigid, modes.omega, MatrixXd::Identity(modes.size(), modes.size()), {}, 0};
-  const VectorXd omega = modes.omega.tail(n), zeta = damping_ratios(system, unit).cwiseMax(0);
+  const VectorXd omega = modes.omega.tail(n), zeta = ratios(system, unit);
   const auto mode = [=](Index i) -> std::optional<SteppedMode> {
     const VectorXd e = VectorXd::Unit(n_rigid + n, n_rigid + i);
     return SteppedMode{omega(i), zeta(i), e, e};
@@ -75,7 +81,7 @@ Subject full_subject(const std::string& name, const ModalBody& body, System run,
   const Index n = low.size() - low.n_rigid;
   VectorXd omega(n + 1), zeta(n + 1);
   omega << low.omega.tail(n), top.omega;
-  zeta << damping_ratios(body.system, low).cwiseMax(0), top.zeta;
+  zeta << ratios(body.system, low), without_rounding(top.zeta);
   const auto mode = [n, top](Index i) { return i == n ? std::optional(top) : std::nullopt; };
   return {name, nan, std::move(run), omega, zeta, mode, 200, {}, {}, nan, {}};
 }
@@ -241,7 +247,9 @@ std::vector<FindingCell> exponent_row(const std::string& scheme, const std::vect
                                       const std::vector<double>& dt) {
   const auto n = static_cast<Index>(omega.size());
   const PowerLaw law = power_law(Eigen::Map<const VectorXd>(omega.data(), n), Eigen::Map<const VectorXd>(dt.data(), n));
-  std::string verdict = agrees(law, -1) ? "holds" : fmt::format("does not hold: dt ~ omega^{:.2f}", law.exponent);
+  std::string verdict =
+      agrees(law, -1) ? "holds"
+                      : fmt::format("does not hold: dt ~ omega^{:.2f}", std::round(100 * law.exponent) / 100 + 0.0);
   if (std::isnan(law.exponent)) verdict = "not decided: too few mode counts";
   if (n > 0 && *std::max_element(dt.begin(), dt.end()) == 0) verdict = "does not hold: no step is stable";
   return {"C6", scheme, count(law.n_points), law.exponent, law.standard_error, -1.0, verdict};

@@ -104,13 +104,17 @@ Index place_of_probe(const MetricContext& context) {
   return std::count_if(probes.begin(), probe, [&](const Probe& p) { return p.body == probe->body; });
 }
 
-// u(point) . direction [m] over time, rigid motion included.
+// u(point) . direction [m] over time, rigid motion included; zero where it is rounding of the body's motion, whose
+// phase says nothing.
 VectorXd probe_signal(const Trajectory& trajectory, const MetricContext& context) {
+  constexpr double rounding = 1e-12;  // [-] what stored trajectories keep of the values, see trajectory_file.h
   const auto probe = context.scene.probes.begin() + context.probe;
   const Index point =
       context.points.volume.points.cols() + context.points.surface.points.cols() + place_of_probe(context);
   const MatrixXd& u = trajectory.bodies[static_cast<std::size_t>(context.body)].displacement;
-  return u.middleRows(3 * point, 3).transpose() * probe->direction;
+  const VectorXd signal = u.middleRows(3 * point, 3).transpose() * probe->direction;
+  const bool heard = !(signal.lpNorm<Eigen::Infinity>() <= rounding * u.lpNorm<Eigen::Infinity>());
+  return heard ? signal : VectorXd::Zero(signal.size());
 }
 
 // [-] A quiet probe has more of an error that is relative to the body's largest motion.

@@ -195,6 +195,20 @@ TEST(Metrics, NothingToMeasureIsUndefinedNotANumber) {
   EXPECT_THAT(mark(metric("strain-error"), without, a, s.context()).status, StartsWith("undefined"));
 }
 
+// Modes that cannot move a probe leave it what rounding does.
+TEST(Metrics, ASignalOfRoundingIsNone) {
+  const Setting s = setting();
+  const Trajectory truth = answer(s, 0.01);
+  Trajectory quiet = truth;
+  quiet.bodies[0].displacement.bottomRows(3).setRandom();
+  quiet.bodies[0].displacement.bottomRows(3) *= 1e-13 * truth.bodies[0].displacement.cwiseAbs().maxCoeff();
+  const MetricContext context = s.context(false, 1);
+  EXPECT_EQ(value("probe-magnitude", quiet, truth, context), -1);
+  for (const char* name : {"probe-phase", "probe-combined"})
+    EXPECT_THAT(mark(metric(name), quiet, truth, context).status, StartsWith("undefined")) << name;
+  EXPECT_THAT(mark(metric("probe-error"), truth, quiet, context).status, StartsWith("undefined"));
+}
+
 TEST(Metrics, WhatFailedHasAStatusInsteadOfANumber) {
   const Setting s = setting();
   const Trajectory truth = answer(s, 0.01);
