@@ -1,10 +1,13 @@
-# mb_library(NAME LINK... [PRIVATE_LINK ...] [HEADERS to precompile])  library mb_NAME of every source of the current folder that is no test.
-# mb_tests(NAME [LINK ...] [HEADERS to precompile] [SHARED ...])  one GoogleTest binary of every *_test.cc of the current folder; suites of
-#   label `cases` whose tests share what the first of them computes, SHARED, run as one test each.
-# mb_fuzz(NAME SOURCE... LINK ...)              one libFuzzer binary; the first source, X_fuzz.cc, names its seeds, X_fuzz/
+# mb_library(NAME LINK... [PRIVATE_LINK ...] [HEADERS to precompile])  library mb_NAME of every source of the current
+#   folder that is no test.
+# mb_tests(NAME [LINK ...] [HEADERS to precompile] [SHARED ...])  one GoogleTest binary of every *_test.cc of the
+#   current folder; suites of label `cases` whose tests share what the first of them computes, SHARED, run as one test
+#   each.
+# mb_fuzz(NAME SOURCE... LINK ...)  one libFuzzer binary; the first source, X_fuzz.cc, names its seeds, X_fuzz/
 
 set(MODALBENCH_SANITIZE "" CACHE STRING "Sanitizers to compile with: address, undefined (comma-separated)")
-set(MODALBENCH_LAUNCHER "" CACHE STRING "What unit tests are run by: valgrind with its options (see the preset `valgrind`)")
+set(MODALBENCH_LAUNCHER "" CACHE STRING
+  "What unit tests are run by: valgrind with its options (see the preset `valgrind`)")
 set(MODALBENCH_AT_ONCE 8 CACHE STRING "Sources that are compiled as one, 1: each by itself (see JoinSources.cmake)")
 if(NOT MODALBENCH_AT_ONCE MATCHES "^[1-9][0-9]*$")
   message(FATAL_ERROR "MODALBENCH_AT_ONCE is '${MODALBENCH_AT_ONCE}': it must be a whole number from 1")
@@ -35,9 +38,9 @@ if(MODALBENCH_FUZZ)
   add_custom_target(fuzz_targets)
 endif()
 if(MODALBENCH_SANITIZE)
-  # pointer-overflow: parts of empty matrices, which Eigen 3.4 makes by an offset to null (Block.h) and never reads. Some
-  # of the others the address sanitizer and Eigen's assertions report as well; together they would take a third of the
-  # time to compile. The preset `ubsan` has these.
+  # pointer-overflow: parts of empty matrices, which Eigen 3.4 makes by an offset to null (Block.h) and never reads.
+  # Some of the others the address sanitizer and Eigen's assertions report as well; together they would take a third of
+  # the time to compile. The preset `ubsan` has these.
   set(unasked pointer-overflow)
   if(MODALBENCH_SANITIZE MATCHES address)
     string(PREPEND unasked "null,alignment,vptr,object-size,")
@@ -151,6 +154,7 @@ function(mb_tests name)
   target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(${name}_test PRIVATE MB_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   set(common NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60)
+  # MarksVerification computes truths on finer meshes: up to a minute alone, several times that on a loaded machine.
   math(EXPR verification_limit "900 * ${MODALBENCH_PATIENCE}")
   math(EXPR cases_limit "600 * ${MODALBENCH_PATIENCE}")
   gtest_discover_tests(${name}_test TEST_FILTER *Verification.* TEST_LIST ${name}_verification ${common}
@@ -186,7 +190,8 @@ function(mb_fuzz name source)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   add_executable(${name}_fuzz ${source} ${ARG_UNPARSED_ARGUMENTS})
   target_link_libraries(${name}_fuzz PRIVATE mb_warnings ${ARG_LINK})
-  foreach(library ${name}_fuzz ${ARG_LINK})   # libFuzzer follows the branches and comparisons of what readers run through
+  # libFuzzer follows the branches and comparisons of what readers run through.
+  foreach(library ${name}_fuzz ${ARG_LINK})
     if(library MATCHES "^mb_(mechanics|cases|store)$|_fuzz$")
       target_compile_options(${library} PRIVATE -fsanitize=fuzzer-no-link)
     endif()

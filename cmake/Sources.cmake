@@ -1,7 +1,8 @@
-# Writes generated/sources.h at every build: hashes of the sources that results depend on, versions of the libraries, the
-# commit. The file is touched only when something changed. Run as a script by the target mb_sources.
+# Writes generated/sources.h at every build: hashes of the sources that results depend on, versions of the libraries,
+# the commit. The file is touched only when something changed. Run as a script by the target mb_sources.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
-  file(STRINGS ${MODALBENCH_sundials_INCLUDE}/sundials/sundials_config.h sundials_version REGEX "define SUNDIALS_VERSION ")
+  file(STRINGS ${MODALBENCH_sundials_INCLUDE}/sundials/sundials_config.h sundials_version
+    REGEX "define SUNDIALS_VERSION ")
   string(REGEX MATCH "[0-9.]+" sundials_version "${sundials_version}")
   set(libraries "deal.II ${DEAL_II_PACKAGE_VERSION}, SUNDIALS ${sundials_version}, Eigen ${Eigen3_VERSION}")
   string(APPEND libraries ", muParser ${muparser_VERSION}, ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
@@ -19,7 +20,8 @@ function(hash_of variable)
   set(text "")
   foreach(place IN LISTS ARGN)   # a folder or a file
     file(GLOB_RECURSE files ${ROOT}/${place}/*.h ${ROOT}/${place}/*.cc ${ROOT}/${place})
-    list(FILTER files EXCLUDE REGEX "_(test|bench|fuzz)\\.(h|cc)$|/(estimate|definitions|case_files)\\.(h|cc)$")   # which decide no result
+    # Which decide no result:
+    list(FILTER files EXCLUDE REGEX "_(test|bench|fuzz)\\.(h|cc)$|/(estimate|definitions|case_files)\\.(h|cc)$")
     if(NOT files)
       message(FATAL_ERROR "no source at ${place}")
     endif()

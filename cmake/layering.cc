@@ -75,7 +75,7 @@ const std::regex free_header(
     R"(|typeinfo|unordered_map|unordered_set|utility|valarray|variant|vector|version)");
 
 // Headers which the build writes, and the folder whose business they are.
-const std::map<std::string, std::string> generated = {{"sources.h", "harness"}};
+const std::map<std::string, std::string> generated = {{"sources.h", "harness"}, {"version.h", "harness"}};
 
 constexpr int max_lines = 300;  // of one file
 

@@ -25,7 +25,7 @@ source(reference/mesh.h "#pragma once")
 source(modal/basis_test.cc "#include <gtest/gtest.h>" "#include \"reference/mesh.h\"" "#include \"../mechanics/types.h\"")
 source(reports/page.cc "// steady_clock is only named here")
 source(reports/web/node_modules/x/x.cc "#include <windows.h>")
-source(harness/measure.cc "#include <chrono>" "#include \"sources.h\"" "auto t = std::chrono::steady_clock::now();")
+source(harness/measure.cc "#include <chrono>" "#include \"sources.h\"" "#include \"version.h\"" "auto t = std::chrono::steady_clock::now();")
 expect(0 "8 files, 0 violations")
 
 string(REPEAT "\n" 301 long)

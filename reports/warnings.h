@@ -1,5 +1,5 @@
-// What the results of a scene are to be read with, a sentence each: linear theory where it is not to be trusted, steps in
-// contact that gain energy.
+// What the results of a scene are to be read with, a sentence each: linear theory where it is not to be trusted, steps
+// in contact that gain energy.
 #pragma once
 
 #include <string>

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "cases/contract/approach.h"
+#include "cases/scene/number_text.h"
 #include "mechanics/geometry/graded_rule.h"
 #include "mechanics/geometry/signed_distance.h"
 
@@ -66,9 +67,10 @@ Vector3d middle_of_touch(const Body& body, const Pose& pose, const RigidSurface&
 
 std::string overlap_message(const Scene& scene, const Body& body, const ContactPair& pair,
                             const std::optional<FirstTouch>& found) {
-  if (!found || found->kind != FirstTouch::overlap || found->gap >= -allowed_overlap * extent(body.shape)) return {};
-  return fmt::format("body '{}' starts {:.3g} m within {} '{}': move it out", body.name, -found->gap,
-                     partner_of(scene, pair) ? "body" : "obstacle", pair.obstacle);
+  const double allowed = allowed_overlap * extent(body.shape);
+  if (!found || found->kind != FirstTouch::overlap || found->gap >= -allowed) return {};
+  return fmt::format("body '{}' starts {} m within {} '{}': move it out", body.name,
+                     number_beside(-found->gap, allowed), partner_of(scene, pair) ? "body" : "obstacle", pair.obstacle);
 }
 
 Meeting meeting_of(const Scene& scene, const Body& body, size_t contact) {

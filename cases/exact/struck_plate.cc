@@ -8,6 +8,7 @@
 #include "cases/contract/touchdown.h"
 #include "cases/exact/fit.h"
 #include "cases/exact/zener_impact.h"
+#include "cases/scene/number_text.h"
 #include "mechanics/contact/hertz.h"
 
 namespace mb {
@@ -32,18 +33,18 @@ std::string problem(const Scene& scene) {
   Misfit misfit = one_struck_undamped_body(scene, Theory::kirchhoff);
   if (!misfit.empty()) return misfit.text();
   const auto [mass, speed, lambda, unit] = strike_of(scene);
-  misfit.require(lambda <= largest_lambda,
-                 fmt::format("lambda is {:.3g}, beyond {}: the ball stays on the plate", lambda, largest_lambda));
+  misfit.require(lambda <= largest_lambda, fmt::format("lambda is {}, beyond {}: the ball stays on the plate",
+                                                       number_beside(lambda, largest_lambda), largest_lambda));
   if (!misfit.empty()) return misfit.text();
   const Body& body = scene.bodies[0];
   const Vector3d size = std::get<Box>(body.shape).size;
   const double l = std::min(size.x(), size.y()), T = zener_impact(lambda).duration * unit;
   const double c = size.z() * std::sqrt(contact_modulus(body.material) / (12 * body.material.density));
-  const double phase = l * l / (4 * c * T);
+  const double phase = l * l / (4 * c * T), least = l * std::sqrt(least_phase / phase);
   misfit.require(phase >= least_phase,
                  fmt::format("waves come back from the rim while the ball touches: the shorter edge is {} m, and must "
-                             "be {:.2g} m at least",
-                             l, l * std::sqrt(least_phase / phase)));
+                             "be {} m at least",
+                             number_text(l), number_beside(least, l)));
   return misfit.text();
 }
 

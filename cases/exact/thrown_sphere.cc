@@ -8,6 +8,7 @@
 #include "cases/contract/touchdown.h"
 #include "cases/exact/fit.h"
 #include "cases/exact/sphere_impact.h"
+#include "cases/scene/number_text.h"
 #include "mechanics/contact/hertz.h"
 
 namespace mb {
@@ -44,11 +45,11 @@ void check_regime(const Scene& scene, Misfit& misfit) {
   const double layers = impact.layer_stiffness * peaks.contact_radius / contact_modulus(m);
   const double c_t = std::sqrt(m.youngs_modulus / (2 * (1 + m.poissons_ratio) * m.density));
   const double periods = peaks.duration * c_t / (lowest_period * impact.radius);
-  misfit.require(layers >= least_layers,
-                 fmt::format("the layer is soft, k_n a/E* = {:.3g}, below {}", layers, least_layers));
-  misfit.require(
-      periods >= least_periods,
-      fmt::format("the contact lasts {:.3g} of the longest period, less than {}: waves count", periods, least_periods));
+  misfit.require(layers >= least_layers, fmt::format("the layer is soft, k_n a/E* = {}, below {}",
+                                                     number_beside(layers, least_layers), least_layers));
+  misfit.require(periods >= least_periods,
+                 fmt::format("the contact lasts {} of the longest period, less than {}: waves count",
+                             number_beside(periods, least_periods), least_periods));
   const double flight = impact.gravity > 0 ? 2 * impact.speed / impact.gravity : scene.duration;
   misfit.require(start + peaks.duration + flight >= scene.duration, "the sphere comes back within the duration");
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/scene/number_text.h"
 #include "cases/scene/read_mesh.h"
 
 namespace mb {
@@ -62,9 +63,9 @@ void check_damping_together(Section& root, const std::vector<BodyDraft>& bodies)
     if (alpha != first)
       root.findings().error(
           sections[i].where(),
-          fmt::format("body '{}' has alpha = {:g}, body '{}' {:g}: where one is of finite kinematics, "
+          fmt::format("body '{}' has alpha = {}, body '{}' {}: where one is of finite kinematics, "
                       "all must have the same",
-                      bodies[i].name.value_or(""), alpha, bodies[0].name.value_or(""), first),
+                      bodies[i].name.value_or(""), number_text(alpha), bodies[0].name.value_or(""), number_text(first)),
           "beta may differ");
   }
 }

@@ -143,7 +143,8 @@ const std::vector<KeyGroup>& scene_keys() {
          "distance d < a from it, else 0",
          ""},
         {"disc.radius", "a number", "0.01 to 1 times the largest extent of the body", "m", "required",
-         "a; a smaller disc would fall between the points of every mesh", ""}}},
+         "a; a smaller disc would fall between the points of every mesh; on a cylinder's side at most its diameter",
+         ""}}},
       {"`history = { kind, ... }`",
        {{"history.kind", "one of step, pulse, ramp, harmonic, chirp, table, expression", "", "", "required",
          "s(t), zero before start. step: A; pulse: A sin^2(pi (t - start)/T) during T; ramp: A (t - start)/T during T, "

@@ -120,8 +120,8 @@ std::optional<NamedTable> table_of_file(Section& section, const HistoryContext& 
 bool ascends(const NamedTable& named, Section& section, const HistoryContext& context) {
   const std::vector<double>& t = named.read.table.t;
   for (std::size_t i = 1; i < t.size(); ++i) {
-    if (t[i] >= t[i - 1] + apart(context)) continue;
     const bool later = t[i] > t[i - 1];
+    if (later && t[i] >= t[i - 1] + apart(context)) continue;
     const std::string found =
         named.file.empty()
             ? fmt::format("t = {} s at entry {} follows {} s", number_text(t[i]), i + 1, number_text(t[i - 1]))

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "cases/scene/number_text.h"
+
 namespace mb {
 
 namespace {
@@ -49,12 +51,11 @@ std::optional<Material> read_isotropic(Section& section) {
   if (!modulus || !ratio) return std::nullopt;
   const double least = std::min(1 - 2 * *ratio, 1 + *ratio);
   if (!(least >= nearest))
-    section.error(
-        "poissons_ratio",
-        fmt::format("so near the end of its range moduli of shear and of volume are {:.0e} apart: the stiffness "
-                    "matrix loses half of the digits of the smaller and more",
-                    1 / least),
-        fmt::format("1 - 2 nu and 1 + nu must be at least {:.0e}", nearest));
+    section.error("poissons_ratio",
+                  fmt::format("so near the end of its range moduli of shear and of volume are {} apart: the stiffness "
+                              "matrix loses half of the digits of the smaller and more",
+                              number_beside(1 / least, 1 / nearest)),
+                  fmt::format("1 - 2 nu and 1 + nu must be at least {}", number_text(nearest)));
   return Material{*modulus, *ratio, 1};
 }
 

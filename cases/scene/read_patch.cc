@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cases/scene/number_text.h"
@@ -15,7 +16,10 @@ std::optional<Disc> read_disc(Section section, const Shape& shape, const std::op
   const double size = extent(shape);
   const auto centre = section.vector("centre", {-nine_digits(size), nine_digits(size), "m"});
   // Below a hundredth of the body the weight falls between the quadrature points of any mesh that may be asked for.
-  const auto radius = section.number("radius", {nine_digits(0.01 * size), nine_digits(size), "m"});
+  // On a cylinder's side chords end at its diameter.
+  const auto* const cylinder = face == "side" ? std::get_if<Cylinder>(&shape) : nullptr;
+  const double most = cylinder ? std::min(size, 2 * cylinder->radius) : size;
+  const auto radius = section.number("radius", {nine_digits(0.01 * size), nine_digits(most), "m"});
   section.finish();
   if (!centre || !radius) return std::nullopt;
   const double tolerance = placement_tolerance(shape);

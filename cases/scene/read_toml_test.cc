@@ -85,6 +85,18 @@ TEST(ReadToml, reads_tables_from_files_below_the_case) {
   EXPECT_EQ(read_toml(file, test::vocabulary()).loads[0].history, History(Table{{0, 0.1, 0.2}, {0, 1.5, -2}}));
 }
 
+// Nor is there a duration then that tells which times are apart.
+TEST(ReadToml, a_wrong_duration_lets_no_table_of_equal_times_pass) {
+  const auto problems = [](const std::string& duration, const std::string& times) {
+    const std::string table = "{ kind = \"table\", t = " + times + ", s = [0, 1, 2] }";
+    return test::problems_of_text(with(with_history(table), "duration           = 0.290643", "duration = " + duration));
+  };
+  for (const char* duration : {"0.290643", "-1"})
+    for (const char* times : {"[0, 0.1, 0.1]", "[0, 0.1, 0.05]"})
+      EXPECT_NE(problems(duration, times).find("times must ascend"), std::string::npos) << duration << ": " << times;
+  EXPECT_EQ(problems("-1", "[0, 0.1, 0.2]").find("times must ascend"), std::string::npos);
+}
+
 TEST(ReadToml, follows_no_link_out_of_the_case_folder) {
   const TemporaryFolder folder;
   folder.write("outside.csv", "0, 0\n1, 1\n");

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "cases/scene/closed_form.h"
+#include "cases/scene/number_text.h"
 #include "cases/scene/read_mesh.h"
 #include "cases/scene/resolution.h"
 
@@ -112,9 +113,9 @@ void check_is_apart(const Resolution& finer, const Resolution& coarser, const Po
   }
   if (bodies.empty() || largest >= 2) return;
   findings.error(
-      where, fmt::format("'coarser' is too near to 'finer': errors fall by {:.2g} at best between them, and must by "
-                         "two for their distance to be an error bar",
-                         largest));
+      where, fmt::format("'coarser' is too near to 'finer': errors fall by {} at best between them, and must by two "
+                         "for their distance to be an error bar",
+                         number_beside(largest, 2)));
 }
 
 void check_ratios_of_all(const std::vector<BodyDraft>& bodies, const Mesh& mesh, Findings& findings) {

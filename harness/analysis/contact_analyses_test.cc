@@ -1,6 +1,7 @@
 // Analyses of contact through the program, of a ball of jelly that falls on a floor.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -54,7 +55,7 @@ coarser = { degree = 1, cells = [1] }
 methods = ["eigenmodes", "static-correction"]
 modes = [8]
 contact_steps = [2e-4]
-analyses = ["budget", "amplitude", "contact-stiffness"]
+analyses = ["budget", "amplitude", "contact-stiffness", "contact-stability"]
 )";
 
 using Row = std::map<std::string, FindingCell>;
@@ -144,6 +145,26 @@ TEST_F(ContactAnalysesCases, LinearTheoryIsTheBetterTheSofterTheBlow) {
       EXPECT_GT(number(row, "speed"), number(all.front(), "speed"));
       EXPECT_LT(number(row, "speed"), number(all.back(), "speed"));
     }
+}
+
+// Of a ball one sample after another touches, in the order that its shape has it: rounding decides nothing.
+TEST_F(ContactAnalysesCases, CellsOfTheMapAreStableWithTheirBars) {
+  size_t n_stable = 0;
+  for (const Finding& map : findings()) {
+    if (map.name != "contact-stability" && map.name != "corrected-stability") continue;
+    const auto column = [&](const std::string& name) {
+      return static_cast<size_t>(std::ranges::find(map.columns, name, &FindingColumn::name) - map.columns.begin());
+    };
+    ASSERT_EQ(map.bars.size(), map.rows.size());
+    for (size_t i = 0; i < map.rows.size(); ++i) {
+      if (std::get<std::string>(map.rows[i][column("found")]) != "stable") continue;
+      ++n_stable;
+      for (const char* error : {"peak force error", "impulse error"})
+        EXPECT_LE(std::get<double>(map.rows[i][column(error)]) + map.bars[i][column(error)], 0.05) << error << i;
+      EXPECT_LT(map.bars[i][column("energy")], 1e-6) << map.name << i;
+    }
+  }
+  EXPECT_GT(n_stable, 50u);
 }
 
 TEST_F(ContactAnalysesCases, NumbersOfAnswersHaveBars) {

@@ -46,7 +46,7 @@ Finding map_table(const MappedMethod& mapped) {
       "where that is a tenth. What is beyond this limit alone may gain energy or not: may gain. Bars: of "
       "errors how far half of the least step moved what they are held against, and twice what a "
       "nudge of 1e-12 of the speed, in every way the body may move, moves: where many samples touch in turn rounding "
-      "decides which.",
+      "decides which. Unstable is what this run says, whatever the bar of its energy.",
       {{"integrator", ""},
        {"stiffness factor", "-"},
        {"dt", "s"},

@@ -29,6 +29,12 @@ VectorXd damping_ratios(const System& system, const Modes& modes) {
   return zeta;
 }
 
+VectorXd without_rounding(const VectorXd& omega, const VectorXd& zeta) {
+  const VectorXd c = 2 * zeta.cwiseProduct(omega);
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * c.lpNorm<Eigen::Infinity>();
+  return (c.array() > rounding).select(zeta, 0);
+}
+
 double rounding_of_frequency(const Modes& modes, double omega) {
   return std::numeric_limits<double>::epsilon() * modes.lambda_max / (2 * omega * omega);
 }

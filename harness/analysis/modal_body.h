@@ -17,6 +17,8 @@ Modes leading(const Modes& modes, int n_elastic);
 
 // zeta_i = phi_i^T C phi_i / (2 omega_i) of the elastic modes, by the damping operator of the system.
 VectorXd damping_ratios(const System& system, const Modes& modes);
+// The same, zero where 2 zeta omega is what rounding of the largest of them leaves in C, and nowhere negative.
+VectorXd without_rounding(const VectorXd& omega, const VectorXd& zeta);
 
 // [-] What rounding of the entries of K and M makes of a frequency omega [rad/s] of theirs, eps lambda_max/(2 omega^2):
 // |dK| <= eps |K| moves lambda by at most eps lambda_max.
@@ -33,8 +35,8 @@ struct ModalBody {
 ModalBody modal_body(const AnalysisContext& context, int n_elastic);
 ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolution& meshes);
 // What tells how far numbers of the own mesh are off: the truth's `finer`. Where the error of that is half of the own's
-// at most, |own - exact| <= 2 |own - finer|; where the own is `finer`, |own - exact| <= |own - coarser| likewise. What a
-// mesh leaves as it is, as the sides of a cylinder's cells, it tells nothing of: 1e-8 of frequencies of torsion.
+// at most, |own - exact| <= 2 |own - finer|; where the own is `finer`, |own - exact| <= |own - coarser| likewise. What
+// a mesh leaves as it is, as the sides of a cylinder's cells, it tells nothing of: 1e-8 of frequencies of torsion.
 struct AnotherMesh {
   Resolution meshes;
   double bar_per_distance;  // [-] 2, or 1 of `coarser`

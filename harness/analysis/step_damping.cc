@@ -20,12 +20,14 @@ double damping_of(double trace, double determinant) {
     const double log_modulus = std::log1p(trace + determinant) / 2;
     return -log_modulus / std::hypot(log_modulus, std::atan2(root, 1 + trace / 2));
   }
-  const double lower = 1 + trace / 2 - root, upper = 1 + trace / 2 + root;
+  // The larger of lambda - 1 by the formula, the other by their product: a difference would lose it.
+  const double far = trace / 2 + std::copysign(root, trace), near = far == 0 ? 0 : determinant / far;
+  const double lower = 1 + std::min(far, near), upper = 1 + std::max(far, near);
   if (lower > 0) {
-    const double fast = std::log1p(trace / 2 - root), slow = std::log1p(trace / 2 + root);
-    return fast * slow > 0 ? -(fast + slow) / (2 * std::sqrt(fast * slow)) : nan;
+    const double product = std::log1p(far) * std::log1p(near);
+    return product > 0 ? -(std::log1p(far) + std::log1p(near)) / (2 * std::sqrt(product)) : nan;
   }
-  if (!(-lower > std::abs(upper) + rounding)) return nan;  // neither outlasts the other
+  if (!(lower < 0) || (upper > 0 && !(-lower > upper + rounding))) return nan;  // neither outlasts the other
   const double log_modulus = std::log(-lower);
   return -log_modulus / std::hypot(log_modulus, pi);
 }
@@ -42,8 +44,8 @@ double step_damping(const Scheme& scheme, double omega_h, double zeta) {
 double run_damping(const System& system, const SteppedMode& mode, const Integrator& integrator, double dt) {
   constexpr Index n_samples = 6;               // enough to tell two unknowns and to even out rounding
   constexpr double most_steps = 4000;          // between samples: modes slower than that are told less precisely
-  constexpr double told_from_rounding = 1e-6;  // [-] of both states' decay between samples: one may be gone
-  const double steps = std::clamp(std::floor(1 / (mode.omega * dt)), 1.0, most_steps);
+  constexpr double told_from_rounding = 1e-2;  // [-] of both states' decay between samples: one may be gone
+  const double steps = std::clamp(std::floor(1 / (mode.omega * dt * std::max(1.0, 2 * mode.zeta))), 1.0, most_steps);
   // Not from the start: there central differences step by the initial velocity.
   const VectorXd times = steps * dt * VectorXd::LinSpaced(n_samples, 1, n_samples);
   const System alone = let_go(system, mode.phi);

@@ -20,8 +20,9 @@ namespace mb {
 double step_damping(const Scheme& scheme, double omega_h, double zeta);  // omega_h > 0, zeta >= 0
 
 // The same from a run of the integrator, let go from rest in the mode: lambda^m of every m-th displacement, m omega h
-// about 1, by least squares of y_{k+2} = T y_{k+1} - D y_k: nothing is assumed but that a mode has two states. NaN
-// where that is NaN, where one state is gone below 1e-6 between samples, or where the run is not finite.
+// about 1, or 1/(2 zeta) beyond critical damping, by least squares of y_{k+2} = T y_{k+1} - D y_k: nothing is assumed
+// but that a mode has two states. NaN where that is NaN, where one state is gone below 1e-2 between samples, or where
+// the run is not finite.
 double run_damping(const System& system, const SteppedMode& mode, const Integrator& integrator, double dt);
 
 }  // namespace mb

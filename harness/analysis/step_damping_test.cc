@@ -72,6 +72,34 @@ TEST(StepDamping, IsThatOfRuns) {
     }
 }
 
+// Beyond critical damping, where a run shows its fast state for a short while only.
+TEST(StepDamping, IsThatOfRunsThatCreep) {
+  const Catalogue catalogue = default_catalogue();
+  for (const double ratio : {1.0, 1.5, 5.0, 20.0, 100.0}) {
+    const System system = oscillators(VectorXd::Constant(1, 1), {2 * ratio, 0}, false);
+    const VectorXd e = VectorXd::Ones(1);
+    for (const double x : {0.001, 0.01, 0.05}) {
+      const double theory = step_damping(*scheme_of("newmark", system), x, ratio);
+      const double run = run_damping(system, {1, ratio, e, e}, catalogue.integrator("newmark"), x);
+      const bool fast_is_gone = 2 * ratio * x > 1;  // within a step
+      if (fast_is_gone)
+        EXPECT_TRUE(std::isnan(run) || std::abs(run / theory - 1) < 1e-2) << ratio << " " << x << " " << run;
+      else
+        EXPECT_NEAR(run / theory, 1, 1e-7) << ratio << " " << x;
+    }
+  }
+  const System stiff = oscillators(VectorXd::Constant(1, 1), {200, 0}, false);  // zeta 100: alternating, far from done
+  const VectorXd e = VectorXd::Ones(1);
+  EXPECT_TRUE(std::isnan(run_damping(stiff, {1, 100, e, e}, catalogue.integrator("newmark"), 0.05)));
+}
+
+// Both eigenvalues -1: the undamped limit of central differences, of which a step takes nothing.
+TEST(StepDamping, IsNoneAtTheLimitItself) {
+  EXPECT_NEAR(step_damping(scheme("central-difference"), 2, 0), 0, 1e-7);
+  for (const double zeta : {1e4, 1e6, 1e7})
+    EXPECT_NEAR(step_damping(scheme("newmark"), 1e-9, zeta) / zeta, 1, 1e-3) << zeta;  // slow roots near 1e-16
+}
+
 // Textbook reading of the same run: logarithm of two peaks of one decay, many periods apart.
 TEST(StepDamping, IsTheLogarithmicDecrementOfALongDecay) {
   const double h = 0.05, w = 1;

@@ -18,12 +18,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// An undamped mode has the rounding of C, of which explicit Euler's limit would be made.
-double without_rounding(double zeta) { return zeta < 1e-15 ? 0 : zeta; }
-VectorXd ratios(const System& system, const Modes& modes) {
-  return damping_ratios(system, modes).unaryExpr(&without_rounding);
-}
-
 // One system whose limits are asked for: what is known of its modes, and what can be run.
 struct Subject {
   std::string name;
@@ -46,7 +40,8 @@ Beside beside(const AnalysisContext& context, int n_elastic) {
   const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
   const ModalBody body = modal_body(context, n_elastic, meshes);
   const Index n = body.modes.size() - body.modes.n_rigid;
-  return {body.modes.omega.tail(n), ratios(body.system, body.modes), bar_per_distance};
+  return {body.modes.omega.tail(n), without_rounding(body.modes.omega.tail(n), damping_ratios(body.system, body.modes)),
+          bar_per_distance};
 }
 
 Subject reduced_subject(const ModalBody& body, int r, const Beside& other) {
@@ -54,7 +49,7 @@ Subject reduced_subject(const ModalBody& body, int r, const Beside& other) {
   const Index n_rigid = modes.n_rigid, n = modes.size() - n_rigid;
   System system = project(body.system, modes);
   Modes unit{n_rigid, modes.omega, MatrixXd::Identity(modes.size(), modes.size()), {}, 0};
-  const VectorXd omega = modes.omega.tail(n), zeta = ratios(system, unit);
+  const VectorXd omega = modes.omega.tail(n), zeta = without_rounding(omega, damping_ratios(system, unit));
   const auto mode = [=](Index i) -> std::optional<SteppedMode> {
     const VectorXd e = VectorXd::Unit(n_rigid + n, n_rigid + i);
     return SteppedMode{omega(i), zeta(i), e, e};
@@ -81,7 +76,8 @@ Subject full_subject(const std::string& name, const ModalBody& body, System run,
   const Index n = low.size() - low.n_rigid;
   VectorXd omega(n + 1), zeta(n + 1);
   omega << low.omega.tail(n), top.omega;
-  zeta << ratios(body.system, low), without_rounding(top.zeta);
+  zeta << damping_ratios(body.system, low), top.zeta;
+  zeta = without_rounding(omega, zeta);
   const auto mode = [n, top](Index i) { return i == n ? std::optional(top) : std::nullopt; };
   return {name, nan, std::move(run), omega, zeta, mode, 200, {}, {}, nan, {}};
 }

@@ -35,7 +35,7 @@ Estimate estimate(const Scene& scene, const Catalogue& catalogue);
 //   states      32 k B a sample               of k unknowns: u, v and theirs in modes; a frame, where it is timed
 //   answers     8 B (3 points + 6 strained points) samples of each body; and 256 MiB
 //   complex     960 k^2 B                     of k modes coupled by a dashpot, in closed form
-//   marks       4 answers, and 12 an analysis: frames, weights and spectra beside them
+//   marks       5 answers, and 12 an analysis: frames, weights and spectra beside them
 //   truths      5 answers, and the dearest mesh of those to compute and the next, two at a time, or their marks
 //
 // Measured: what a run takes at its peak grows by a quarter to all of this (memory_peak_test.cc). Modes: counted, as

@@ -131,7 +131,6 @@ void require_feasible(const std::vector<TruthJob>& missing, const Scene& scene) 
 // lanes.
 bool computed(const std::vector<TruthJob>& missing, const TruthSet& set, TruthRuns& runs, const Scene& scene,
               const std::function<bool()>& interrupted) {
-  require_feasible(missing, scene);
   const auto is_finer = [&](const TruthJob& job) { return job.result == &set.finer; };
   try {
     auto lane = std::async(std::launch::async, [&] {
@@ -182,6 +181,7 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
   std::erase_if(without_file, [&](const TruthJob& job) { return runs.has(job); });
   require_feasible(without_file, *scene);
   std::erase_if(missing, [&](const TruthJob& job) { return runs.find(job); });  // what is damaged is missing, too
+  if (missing.size() > without_file.size()) require_feasible(missing, *scene);
   if (!missing.empty() && !computed(missing, set, runs, *scene, interrupted)) return {};
   if (!t.exact.empty()) {
     const ExactSolution& solution = exact_solution(t.exact);

@@ -55,7 +55,8 @@ FacePoint face_point(const Shape& shape, const Patch& patch, double rho, double 
   const Vector3d& c = patch.disc->centre;
   if (patch.face == "surface") return on_sphere(c, std::get<Sphere>(shape).radius, rho, theta);
   if (patch.face == "side") return on_side(c, std::get<Cylinder>(shape).radius, rho, theta);
-  return on_plane(c, plane_normal(shape, patch.face), rho, theta);
+  const Vector3d n = plane_normal(shape, patch.face);
+  return on_plane(c - face_distance(shape, patch.face, c) * n, n, rho, theta);  // a centre may be off by rounding
 }
 
 // Where a surface has no polar coordinates of its own: cells of three points' length and 3 x 3 points each.
@@ -141,9 +142,10 @@ int number_of_arcs(const OnFace& on_face, double rho) {
 std::vector<double> radii_of_change(const OnFace& on_face, double a) {
   constexpr int n = 64;
   std::vector<double> radii{0};
-  int before = number_of_arcs(on_face, a / n / 2);
-  for (int k = 1; k < n; ++k) {
-    double from = (k - 0.5) * a / n, to = (k + 0.5) * a / n;
+  const double least = 1e-6 * a;
+  int before = number_of_arcs(on_face, least);
+  for (int k = 0; k < n; ++k) {
+    double from = std::max(least, (k - 0.5) * a / n), to = (k + 0.5) * a / n;
     const int here = number_of_arcs(on_face, to);
     if (here == before) continue;
     for (int halving = 0; halving < 40; ++halving) {

@@ -5,8 +5,9 @@
 //
 // n rings by Gauss in rho^2, 3 n points equally spaced on each, about a/n apart half-way out; superquadrics by
 // graded_rule.h, to 1e-4 of the disc's area. Where the face's rim cuts the disc, arcs on the face have Gauss points of
-// their own, rings between the radii at which arcs begin and end, too: force and moment to 1e-6 with the fewest points,
-// but where a corner of the rim lies within.
+// their own, rings between the radii at which arcs begin and end, too: force and moment to 1e-6 of the whole disc's
+// with the fewest points, but where a corner of the rim lies within. On a cylinder's side the radius is at most 2 R,
+// where dA is singular.
 //
 // What is integrated beside w bends from cell to cell of a mesh: points must be closer than its nodes are, or they are
 // loads at points, which have no mesh-converged answer.

@@ -196,7 +196,7 @@ VectorXd integrate_face(const Discretisation& d, const std::string& name, const 
   return load;
 }
 
-// The least distance of nodes [m] on faces of the mesh that the disc may meet.
+// Mean distance of nodes [m] along the shortest edge of the faces of the mesh that the disc may meet.
 double node_spacing(const Discretisation& d, const Patch& patch) {
   const Disc& disc = *patch.disc;
   const dealii::Point<3> centre(disc.centre[0], disc.centre[1], disc.centre[2]);

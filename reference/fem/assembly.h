@@ -28,7 +28,8 @@ VectorXd lumped_mass(const Discretisation& d, double density);  // density [kg/m
 // int_patch w (t - p n)_i N_a dA as a vector of size n_dofs, n the outward normal; and int_patch w n_i N_a dA. Discs
 // are integrated on the exact face, with its normal; whole faces on the mesh's, so that a uniform pressure all over a
 // body is in balance to rounding. traction t, pressure p [Pa]. Throws std::invalid_argument for a disc off its face.
-// Points of a disc are a quarter as far apart as the mesh's nodes there (DiscRule).
+// Points of a disc are a quarter as far apart as the mesh's nodes there on average, with 128 rings at most (DiscRule):
+// beyond 32 nodes to the radius the load is one at points again.
 VectorXd patch_load(const Discretisation& d, const Patch& patch, const Vector3d& traction, double pressure = 0);
 VectorXd patch_normal(const Discretisation& d, const Patch& patch);
 

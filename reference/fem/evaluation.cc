@@ -109,6 +109,7 @@ class Cells {
 
 // Calls entry(point, node, N, gradient of N) for every point and every node of its cell, cell by cell.
 using Entry = std::function<void(Index point, Index node, double N, const dealii::Tensor<1, 3>& gradient)>;
+constexpr size_t most_at_once = 256;  // points, of 12 kB each with elements of degree 4
 void for_each_entry(const Discretisation& d, const Matrix3Xd& points, const Entry& entry) {
   std::map<Cell, std::pair<std::vector<Index>, std::vector<Point>>> met;
   Cells cells(d);
@@ -119,14 +120,17 @@ void for_each_entry(const Discretisation& d, const Matrix3Xd& points, const Entr
   }
   std::vector<dealii::types::global_dof_index> ids(d.element.n_dofs_per_cell());
   for (const auto& [cell, here] : met) {
-    const auto& [which, xi] = here;
-    dealii::FEValues<3> values(d.mapping, d.element, dealii::Quadrature<3>(xi),
-                               dealii::update_values | dealii::update_gradients);
-    values.reinit(cell);
     cell->get_dof_indices(ids);
-    for (unsigned q = 0; q < which.size(); ++q)
-      for (unsigned a = 0; a < ids.size(); ++a)
-        entry(which[q], static_cast<Index>(ids[a]), values.shape_value(a, q), values.shape_grad(a, q));
+    for (size_t first = 0; first < here.first.size(); first += most_at_once) {
+      const size_t end = std::min(here.first.size(), first + most_at_once);
+      const std::vector<Point> xi(here.second.begin() + first, here.second.begin() + end);
+      dealii::FEValues<3> values(d.mapping, d.element, dealii::Quadrature<3>(xi),
+                                 dealii::update_values | dealii::update_gradients);
+      values.reinit(cell);
+      for (unsigned q = 0; q < xi.size(); ++q)
+        for (unsigned a = 0; a < ids.size(); ++a)
+          entry(here.first[first + q], static_cast<Index>(ids[a]), values.shape_value(a, q), values.shape_grad(a, q));
+    }
   }
 }
 

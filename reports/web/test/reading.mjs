@@ -118,7 +118,8 @@ async function showsFailedRunsAsFailed({ page, cells, data, choice }) {
 async function saysWhatIsKnownOfTruths({ page, data }) {
   const { cases } = await data();
   const text = await page.locator('#cases').allTextContents();
-  for (const sentence of cases.flatMap((one) => [one.line, ...one.truth])) assert.ok(text.join(' ').includes(sentence), sentence);
+  for (const sentence of cases.flatMap((one) => [one.line, ...one.truth]))
+    assert.ok(text.join(' ').includes(sentence), sentence);
 }
 
 async function namesEveryEnvironment({ page, data }) {
