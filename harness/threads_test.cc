@@ -56,23 +56,31 @@ void expect_near(const Finding& a, const Finding& b, double relative, Cells cell
 }
 
 // Of maps of contact, whose bars tell of rounding: numbers within both bars, those without one and names to rounding;
-// not the classes of cells, nor what is counted or fitted of them. How many had bars that say something.
+// neither verdicts nor what is counted or fitted. Rounding decides the class of few cells, at a bound: that one run is
+// unstable and the other is not leaves nothing to compare. How many numbers had bars that say something.
 size_t expect_within_bars(const Finding& a, const Finding& b, double relative) {
-  const std::set<std::string> of_classes{"found", "verdict"};
-  size_t n = 0;
+  size_t n = 0, n_reclassed = 0;
   if (a.rows.size() != b.rows.size() || a.bars.size() != b.bars.size() || a.bars.empty()) {
     ADD_FAILURE() << a.name << ": other rows or no bars";
     return n;
   }
-  for (size_t i = 0; i < a.rows.size(); ++i)
-    for (size_t j = 0; j < a.columns.size(); ++j) {
+  const auto column = [&](const char* name) {
+    return static_cast<size_t>(std::ranges::find(a.columns, name, &FindingColumn::name) - a.columns.begin());
+  };
+  const size_t found = column("found"), verdict = column("verdict"), n_columns = a.columns.size();
+  const bool is_map = found < n_columns;
+  for (size_t i = 0; i < a.rows.size(); ++i) {
+    if (is_map && a.rows[i][found] != b.rows[i][found] && ++n_reclassed) continue;
+    for (size_t j = 0; j < n_columns; ++j) {
       const double bars = a.bars[i][j] + b.bars[i][j], largest = size_of_column(a, j);
-      const bool summary = a.name.ends_with("-summary"), has_bar = bars >= 0;
-      if (of_classes.contains(a.columns[j].name) || (summary && j > 0 && !has_bar)) continue;
+      const bool has_bar = bars >= 0;
+      if (j == verdict || (!is_map && j > 0 && !has_bar)) continue;
       expect_near(a.rows[i][j], b.rows[i][j], relative * largest + (has_bar ? bars : 0),
                   fmt::format("{}, row {}, {}", a.name, i + 1, a.columns[j].name));
       n += has_bar && bars < 0.1;
     }
+  }
+  EXPECT_LE(20 * n_reclassed, a.rows.size()) << a.name;
   return n;
 }
 
