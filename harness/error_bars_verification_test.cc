@@ -48,6 +48,19 @@ time_steps = [)" +
          fmt::format("{}", duration / 200) + "]\n";
 }
 
+struct Held {
+  std::string quantity, uncertainty, why;
+};
+void expect_within_bars(double worst, const Held& held) {
+  testing::expect_verified({.quantity = held.quantity,
+                            .reference = "converged numbers",
+                            .source = "a third mesh",
+                            .uncertainty = held.uncertainty,
+                            .tolerance = 1,
+                            .why = held.why},
+                           worst);
+}
+
 struct Mark {
   double value, bar;
 };
@@ -79,15 +92,11 @@ TEST_P(MarksVerification, KeepToTheirBarsOnAMeshThatIsFinerStill) {
                         << " +- " << then.at(what).bar;
     worst = std::max(worst, moved);
   }
-  testing::expect_verified({.quantity = "how far marks of modes, of steps and of the truth itself move where the "
-                                        "truth's mesh is made finer still, of their error "
-                                        "bars, the worst",
-                            .reference = "converged numbers",
-                            .source = "a third mesh",
-                            .uncertainty = "that of the third mesh, its own bar",
-                            .tolerance = 1,
-                            .why = "A bar is what an error may be: no mark may move by more than it."},
-                           worst);
+  expect_within_bars(
+      worst,
+      {"how far marks of modes, of steps and of the truth itself move where the truth's mesh is made "
+       "finer still, of their error bars, the worst",
+       "that of the third mesh, its own bar", "A bar is what an error may be: no mark may move by more than it."});
 }
 INSTANTIATE_TEST_SUITE_P(ErrorBars, MarksVerification,
                          ::testing::Values(Finest{"nearly-incompressible.toml", "{ degree = 4, cells = [3, 3, 4] }"},
@@ -120,16 +129,12 @@ TEST_P(FrequenciesVerification, KeepToTheirBarsOnAMeshThatIsFinerStill) {
   const VectorXd off = (own - exact).cwiseAbs().cwiseQuotient(bar_per_distance * (own - finer).cwiseAbs());
   const double worst = off.maxCoeff();
   EXPECT_LE(worst, 1) << off.transpose();
-  testing::expect_verified(
-      {.quantity =
-           "how far frequencies of the own mesh are from those of a mesh finer than the truth's, of their error "
-           "bars, the worst",
-       .reference = "converged numbers",
-       .source = "a third mesh",
-       .uncertainty = "that of the third mesh",
-       .tolerance = 1,
-       .why = "A bar is what an error may be: twice the distance to a mesh whose error is half of the own's at most."},
-      worst);
+  expect_within_bars(
+      worst,
+      {"how far frequencies of the own mesh are from those of a mesh finer than the truth's, of their error bars, the "
+       "worst",
+       "that of the third mesh",
+       "A bar is what an error may be: twice the distance to a mesh whose error is half of the own's at most."});
 }
 INSTANTIATE_TEST_SUITE_P(ErrorBars, FrequenciesVerification,
                          ::testing::Values(FinestModes{"slender-rod.toml", {3, {1, 1, 96}}, 6},

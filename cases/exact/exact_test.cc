@@ -1,35 +1,16 @@
 // Which scenes the closed forms hold for, and what they say of those they do not.
 #include "cases/exact/exact.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <regex>
 #include <stdexcept>
 
+#include "cases/exact/exact_test_problems.h"
 #include "cases/exact/exact_test_scenes.h"
 
 namespace mb {
 namespace {
-
-using ::testing::HasSubstr;
-using Change = std::function<void(Scene&)>;
-
-struct Wrong {
-  Change change;
-  const char* says;
-};
-
-void expect_problems(const std::string& name, const Scene& right, const std::vector<Wrong>& wrong) {
-  const auto problem = exact_solution(name).problem;
-  EXPECT_EQ(problem(right), "");
-  for (const Wrong& w : wrong) {
-    Scene scene = right;
-    w.change(scene);
-    EXPECT_THAT(problem(scene), HasSubstr(w.says));
-  }
-}
 
 // What no closed form takes.
 const std::vector<Wrong> common = {

@@ -1,19 +1,16 @@
 // The closed forms of thrown rods and spheres as answers to scenes: `rod-on-wall`, `hertz-impact`.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 #include "cases/exact/exact.h"
+#include "cases/exact/exact_test_problems.h"
 #include "cases/scene/one_body.h"
 #include "mechanics/geometry/pose.h"
 #include "mechanics/geometry/signed_distance.h"
 
 namespace mb {
 namespace {
-
-using ::testing::HasSubstr;
 
 Scene thrown(const Shape& shape, const Material& material, const Vector3d& position, const Vector3d& velocity) {
   Scene scene = one_body(shape, material, {1, {1}});
@@ -150,20 +147,6 @@ TEST(ThrownSphere, SaysNothingOfATouchToCome) {
   EXPECT_EQ(said.bodies[0].contact.force.norm() + said.bodies[0].contact.impulse.norm(), 0);
   const Trajectory none = answer("rod-on-wall", rod(), VectorXd::LinSpaced(3, 0, 0.001));
   EXPECT_TRUE(none.bodies[0].contact.touches.empty());
-}
-
-struct Wrong {
-  std::function<void(Scene&)> change;
-  const char* says;
-};
-void expect_problems(const std::string& name, const Scene& right, const std::vector<Wrong>& wrong) {
-  const auto problem = exact_solution(name).problem;
-  EXPECT_EQ(problem(right), "");
-  for (const Wrong& w : wrong) {
-    Scene scene = right;
-    w.change(scene);
-    EXPECT_THAT(problem(scene), HasSubstr(w.says));
-  }
 }
 
 const std::vector<Wrong> common = {

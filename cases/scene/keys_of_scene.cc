@@ -134,7 +134,7 @@ const std::vector<KeyGroup>& scene_keys() {
         {"load.traction.face", "a face", "", "", "required", "as for supports", "\"z-max\""},
         {"load.traction.disc", "a table", "", "", "the whole face", "see below", ""},
         {"load.traction.traction", "an array of 3 numbers", "[-1e13, 1e13]", "Pa", "this or `pressure`",
-         "dead load per reference area", "[0, 0, -100]"},
+         "dead load per reference area", "[0, 0, -50]"},
         {"load.traction.pressure", "a number", "[-1e13, 1e13]", "Pa", "this or `traction`",
          "traction = -pressure n, n the reference normal of any face, curved ones included", ""}}},
       {"`disc = { centre, radius }`",

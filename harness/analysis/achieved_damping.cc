@@ -65,15 +65,14 @@ Steps steps_of_modes(const AnalysisContext& context) {
 Finding steps_table() {
   return table(
       "damping", "damping-of-steps", "Damping ratios that the study's integrators and steps achieve",
-      "Scheme: -ln|lambda| / |ln lambda|, lambda the eigenvalue of largest modulus of the integrator's recurrence for "
-      "this mode, |ln lambda| the phase and decay of one step: the ratio of an exact step. Run: the same from the "
-      "displacements of the integrator itself, let go from rest in the mode with all others kept. Of an answer that "
-      "creeps -(ln lambda_1 + ln lambda_2)/(2 sqrt(ln lambda_1 ln lambda_2)). Negative: the mode grows where it ought "
-      "to decay. Not applicable where one eigenvalue grows and one decays, where both are of the same size and of "
-      "either sign, and to "
-      "runs where one is gone within a sample. Difference: scheme less asked. "
-      "At most eight of the modes kept, spread over them; integrators of fixed step. Bars: twice the distance to the "
-      "same on the finer mesh of the case.",
+      "Scheme: -ln|lambda| / |ln lambda|, lambda the eigenvalue of largest modulus of the integrator's recurrence "
+      "for this mode, |ln lambda| the phase and decay of one step: the ratio of an exact step. Run: the same from "
+      "the displacements of the integrator itself, let go from rest in the mode with all others kept. Of an answer "
+      "that creeps -(ln lambda_1 + ln lambda_2)/(2 sqrt(ln lambda_1 ln lambda_2)). Negative: the mode grows where it "
+      "ought to decay. Not applicable where one eigenvalue grows and one decays, where both are of the same size and "
+      "of either sign, and to runs where one is gone within a sample. Difference: scheme less asked. At most eight "
+      "of the modes kept, spread over them; integrators of fixed step. Bars: twice the distance to the same on the "
+      "finer mesh of the case.",
       {{"mode", ""},
        {"frequency", "Hz"},
        {"zeta asked", "-"},

@@ -30,22 +30,20 @@ const MappedMethod mapped_methods[] = {
 Finding map_table(const MappedMethod& mapped) {
   return table(
       "contact-stability", mapped.table, "Steps in contact over the layer's stiffness, " + std::string(mapped.in),
-      "The first body in modes as titled, thrown against what it meets as in the scene, with other layers and "
-      "twelve steps, each half the one before, of explicit Euler in the scene's own layer sixteen; what rests, as fast "
-      "as its weight alone would have it fall. Energy: 1, and what the motion gains by the "
-      "impact, with what the layer took away from it, over the kinetic energy along the normal. Unstable: it is more "
-      "than 1.1, or a step has no solution or "
-      "throws bodies to where nothing is known of their contact. Inaccurate: bounded, and peak force or impulse "
-      "more than 5 % off, bars included, those of kicks at a quarter of the least step. Spectral radius: of one step "
-      "linearised "
-      "about the height of the impact, the layer pressed at one point as hard as over the contact's whole area, "
-      "static shapes in series with it; limit: the step where it passes 1, of average acceleration none. Growth "
-      "over one contact, a step at least, that would not show is called too short to be seen; where steps leave "
-      "neither force nor impulse, the touch is missed. Where the layer opens within a step energy is gained, too, "
-      "of a rigid mass at most g/(1 - g), g = kappa h^2/(4 m), by each but explicit Euler: opening limit, the step "
-      "where that is a tenth. What is beyond this limit alone may gain energy or not: may gain. Bars: of "
-      "errors how far half of the least step moved what they are held against, and twice what a "
-      "nudge of 1e-12 of the speed, in every way the body may move, moves: where many samples touch in turn rounding "
+      "The first body in modes as titled, thrown against what it meets as in the scene, with other layers and twelve "
+      "steps, each half the one before, of explicit Euler in the scene's own layer sixteen; what rests, as fast as "
+      "its weight alone would have it fall. Energy: 1, and what the motion gains by the impact, with what the layer "
+      "took away from it, over the kinetic energy along the normal. Unstable: it is more than 1.1, or a step has no "
+      "solution or throws bodies to where nothing is known of their contact. Inaccurate: bounded, and peak force or "
+      "impulse more than 5 % off, bars included, those of kicks at a quarter of the least step. Spectral radius: of "
+      "one step linearised about the height of the impact, the layer pressed at one point as hard as over the "
+      "contact's whole area, static shapes in series with it; limit: the step where it passes 1, of average "
+      "acceleration none. Growth over one contact, a step at least, that would not show is called too short to be "
+      "seen; where steps leave neither force nor impulse, the touch is missed. Where the layer opens within a step "
+      "energy is gained, too, of a rigid mass at most g/(1 - g), g = kappa h^2/(4 m), by each but explicit Euler: "
+      "opening limit, the step where that is a tenth. What is beyond this limit alone may gain energy or not: may "
+      "gain. Bars: of errors how far half of the least step moved what they are held against, and twice what a nudge "
+      "of 1e-12 of the speed, in every way the body may move, moves: where many samples touch in turn rounding "
       "decides which. Unstable is what this run says, whatever the bar of its energy.",
       {{"integrator", ""},
        {"stiffness factor", "-"},
@@ -66,10 +64,10 @@ Finding summary_table(const MappedMethod& mapped) {
       "contact-stability", mapped.table + std::string("-summary"),
       "Whether steps in contact do what one of them says, " + std::string(mapped.in),
       "Cells of the map by what was found. Error at the least step: the larger of peak force's and impulse's, of "
-      "whichever layer has the largest; order: exponent of the same of the scene's own layer over the steps, "
-      "where it lies between 1e-9 and a tenth. Unstable within the limit: within both limits. Unstable from: the "
-      "least unstable step, of its layer's opening limit. All of one impact: what rests opens its layer again and "
-      "again, and small gains add up until damping takes them away.",
+      "whichever layer has the largest; order: exponent of the same of the scene's own layer over the steps, where "
+      "it lies between 1e-9 and a tenth. Unstable within the limit: within both limits. Unstable from: the least "
+      "unstable step, of its layer's opening limit. All of one impact: what rests opens its layer again and again, "
+      "and small gains add up until damping takes them away.",
       {{"integrator", ""},
        {"cells", ""},
        {"stable", ""},

@@ -10,7 +10,6 @@
 #include "harness/analysis/oscillators_test.h"
 #include "harness/catalogue.h"
 #include "harness/study/truth.h"
-#include "mechanics/algebra/box_test_system.h"
 #include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/algebra/worse_test.h"
 #include "mechanics/verified_test.h"
@@ -18,20 +17,12 @@
 namespace mb {
 namespace {
 
+using test::lumped_box;
 using test::oscillators;
 
 VectorXd ratios(const VectorXd& omega, const Rayleigh& damping) {
   return damping.alpha / (2 * omega.array()) + damping.beta * omega.array() / 2;
 }
-System box(const Rayleigh& damping) {
-  System system =
-      testing::box_system({.cells = {2, 2, 3}, .size = {0.1, 0.1, 0.2}, .E = 2e4, .nu = 0.3, .rho = 1100}).system;
-  system.damping = damping;
-  system.modal_damping.W.resize(system.M.rows(), 0);
-  system.lumped_mass = SparseMatrix(VectorXd(system.M * VectorXd::Ones(system.M.rows())).asDiagonal());
-  return system;
-}
-
 const VectorXd omega{{10, 35, 200}};  // [rad/s]
 
 TEST(StepLimit, IsThatOfTheoryMadeOutOfAllModes) {
@@ -86,7 +77,7 @@ TEST(GrowthRun, IsThatOfTheSpectralRadius) {
 TEST(GrowthRun, OfAMeshFollowsItsHighestMode) {
   const Catalogue catalogue = default_catalogue();
   for (const Rayleigh damping : {Rayleigh{0, 0}, Rayleigh{2, 0}, Rayleigh{0, 1e-5}}) {
-    const System lumped = box(damping), consistent = with_consistent_mass(lumped);
+    const System lumped = lumped_box(damping), consistent = with_consistent_mass(lumped);
     for (const System* system : {&lumped, &consistent}) {
       const SteppedMode top = highest_mode(system == &lumped ? with_lumped_mass(lumped) : consistent);
       for (const Scheme& scheme : explicit_schemes()) {
@@ -171,7 +162,7 @@ TEST(HighestModeVerification, OfHardMeshesIsThatOfADenseSolver) {
 }
 
 TEST(HighestMode, IsThatOfADenseSolver) {
-  const System system = with_consistent_mass(box({1.5, 1e-4}));
+  const System system = with_consistent_mass(lumped_box({1.5, 1e-4}));
   const double lambda = generalized_eigenvalues(MatrixXd(system.K), MatrixXd(system.M)).value().maxCoeff();
   const SteppedMode top = highest_mode(system);
   EXPECT_NEAR(top.omega, std::sqrt(lambda), 1e-9 * top.omega);

@@ -14,6 +14,13 @@ namespace {
 
 constexpr double at_most = 3600;  // [s]
 
+void require_memory_of(const CountedContender& one, const Scene& scene) try {
+  require_memory(memory(scene, Contender{one.method, one.integrator, own_meshes(scene), one.settings}, true),
+                 available_memory());
+} catch (const std::exception& error) {
+  throw std::runtime_error(fmt::format("{}, {}: {}", printable(scene.name, 64), one.name, error.what()));
+}
+
 }  // namespace
 
 int count_command(const CountOptions& options, const Catalogue& catalogue, const Console& console) {
@@ -22,9 +29,7 @@ int count_command(const CountOptions& options, const Catalogue& catalogue, const
   if (scene->contacts.empty() || scene->study.contact_steps.empty())
     throw UsageError(printable(scene->name, 64) + " has no contact or no contact_steps: nothing to count");
   const std::vector<CountedContender> contenders = counted_contenders(*scene);
-  for (const CountedContender& one : contenders)
-    require_memory(memory(*scene, Contender{one.method, one.integrator, own_meshes(*scene), one.settings}, true),
-                   available_memory());
+  for (const CountedContender& one : contenders) require_memory_of(one, *scene);
   if (is_counting()) {
     count_contest(scene, catalogue);
     return 0;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "harness/analysis/oscillators_test.h"
-#include "mechanics/algebra/box_test_system.h"
 #include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/system/one_step.h"
 #include "mechanics/system/stored_energy.h"
@@ -14,6 +13,7 @@
 namespace mb {
 namespace {
 
+using test::lumped_box;
 using test::oscillators;
 
 const VectorXd omega{{10, 25, 80}};  // [rad/s]
@@ -22,15 +22,6 @@ Reduction of(std::vector<System> systems) {
   Reduction reduction;
   for (System& system : systems) reduction.bodies.push_back({std::move(system), {}, {}});
   return reduction;
-}
-
-System box(const Rayleigh& damping) {
-  System system =
-      testing::box_system({.cells = {2, 2, 3}, .size = {0.1, 0.1, 0.2}, .E = 2e4, .nu = 0.3, .rho = 1100}).system;
-  system.damping = damping;
-  system.modal_damping.W.resize(system.M.rows(), 0);
-  system.lumped_mass = SparseMatrix(VectorXd(system.M * VectorXd::Ones(system.M.rows())).asDiagonal());
-  return system;
 }
 
 // On both sides of the limit, from a thousandth of it on.
@@ -81,7 +72,7 @@ TEST(StepGrowth, OfModesThatDampingCouplesIsThatOfAllTogether) {
 
 TEST(StepGrowth, OfAMeshIsThatOfItsHighestMode) {
   for (const double beta : {0.0, 1e-5}) {
-    const System system = box({0, beta});
+    const System system = lumped_box({0, beta});
     const VectorXd lumped = generalized_eigenvalues(MatrixXd(system.K), MatrixXd(system.lumped_mass)).value();
     const double top = std::sqrt(lumped.maxCoeff()), zeta = beta * top / 2;
     const double limit = 2 * (std::sqrt(1 + zeta * zeta) - zeta) / top;
@@ -105,7 +96,7 @@ class Energy final : public StoredEnergy {
 // linear body, in contact without it.
 TEST(StepGrowth, OfAMeshThatStretchesOrTouchesIsThatAboutRest) {
   for (const Rayleigh& damping : {Rayleigh{}, Rayleigh{30, 0}, Rayleigh{0, 1e-4}, Rayleigh{30, 1e-4}}) {
-    System system = box(damping);
+    System system = lumped_box(damping);
     const SteppedMode top = highest_mode(with_lumped_mass(system));
     const double limit = 2 * (std::sqrt(1 + top.zeta * top.zeta) - top.zeta) / top.omega;  // lagging
     system.stored_energy = std::make_shared<Energy>();
@@ -123,7 +114,7 @@ TEST(StepGrowth, IsUnknownWhereNothingIsKnown) {
   touching.in_contact = [](const Integrator&, const Settings&) { return std::unique_ptr<Prepared>(); };
   EXPECT_TRUE(std::isnan(predicted_growth(touching, "symplectic-euler", 1, 10)));
   EXPECT_TRUE(std::isnan(predicted_growth(of({oscillators(omega, {})}), "sundials", 1, 10)));
-  System braked = box({0, 0});  // where it moves most, the highest mode is no longer one of its own
+  System braked = lumped_box({0, 0});  // where it moves most, the highest mode is no longer one of its own
   braked.modal_damping = {MatrixXd::Identity(braked.M.rows(), braked.M.rows()).leftCols(1), VectorXd{{1}}};
   EXPECT_TRUE(std::isnan(predicted_growth(of({braked}), "explicit-euler", 1, 10)));
 }
