@@ -1,0 +1,93 @@
+// Cells of a ball that falls onto a soft layer, and what they say where one of their two runs fails.
+#include "harness/analysis/contact_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cases/scene/one_body.h"
+#include "harness/analysis/contact_variants.h"
+
+namespace mb {
+namespace {
+
+Scene falling_ball() {
+  Scene scene = one_body(Sphere{0.06}, {1e6, 0.3, 1100, {}}, {2, {1}});
+  scene.loads.clear();
+  scene.probes.clear();
+  scene.gravity = {0, 0, -9.81};
+  scene.bodies[0].damping.beta = 1e-4;
+  scene.bodies[0].pose.position = {0, 0, 0.11};
+  scene.obstacles = {{"floor", {HalfSpace{}, 0, {}}}};
+  scene.contacts = {{scene.bodies[0].name, "floor", 2e6}};
+  scene.duration = 0.13;
+  scene.samples_per_second = 4800;
+  scene.frame_rate = 60;
+  scene.study.methods = {"eigenmodes"};
+  scene.study.modes = {6};
+  scene.study.contact_steps = {2e-4};
+  return scene;
+}
+
+class ContactCellTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    const auto scene = std::make_shared<const Scene>(falling_ball());
+    const TruthSet truth;
+    std::unique_ptr<Model> model;
+    const AnalysisContext context{scene, catalogue(), truth, [&](const Resolution& r) -> const Model& {
+                                    model = std::make_unique<Model>(make_model(scene, r));
+                                    return *model;
+                                  }};
+    own() = varied_layers(context, ContactVariants(context), "eigenmodes", 6, {1}).front();
+  }
+  static const Catalogue& catalogue() {
+    static const Catalogue all = default_catalogue();
+    return all;
+  }
+  static VariedLayer& own() {
+    static VariedLayer layer;
+    return layer;
+  }
+  // At the least step of the maps.
+  static ContactCell cell(const VariedLayer& layer) {
+    return contact_cell(layer, catalogue().integrator("newmark"),
+                        contact_step(layer.encounter, contact_steps_tried - 1));
+  }
+};
+
+// So fast that no run holds what it does to the layer.
+std::shared_ptr<const FloatingBases> lost(FloatingBases bases) {
+  bases.front().start.v *= 1e100;
+  return std::make_shared<const FloatingBases>(std::move(bases));
+}
+
+TEST_F(ContactCellTest, OfARoundBodyInSmallStepsAreStableAndKnownWell) {
+  const ContactCell one = cell(own());
+  EXPECT_EQ(one.found, StepClass::stable);
+  EXPECT_NEAR(one.energy, 1, 1e-3);
+  EXPECT_LT(one.error() + one.bar(), 0.01);
+  EXPECT_GT(one.bar_of_peak, 0);
+}
+
+TEST_F(ContactCellTest, WhoseNudgedRunFailsAreKnownByNoBarAndNotStable) {
+  VariedLayer layer = own();
+  layer.nudged = lost(*layer.nudged);
+  const ContactCell one = cell(layer);
+  EXPECT_EQ(one.found, StepClass::inaccurate);
+  EXPECT_EQ(one.energy, cell(own()).energy);
+  EXPECT_TRUE(std::isinf(one.bar()));
+  EXPECT_TRUE(std::isinf(one.bar_of_energy));
+}
+
+TEST_F(ContactCellTest, WhoseOwnRunFailsAreUnstableWithoutAnError) {
+  VariedLayer layer = own();
+  layer.bases = lost(*layer.bases);
+  const ContactCell one = cell(layer);
+  EXPECT_EQ(one.found, StepClass::unstable);
+  EXPECT_TRUE(std::isinf(one.energy));
+  EXPECT_TRUE(std::isinf(one.error()));
+}
+
+}  // namespace
+}  // namespace mb
