@@ -3,9 +3,12 @@
 //   at_most:  value + bar <= bound holds,  value - bar > bound fails,  between them it is not decidable
 //
 // One of how runs end holds where every mark of all of them has that status.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <tuple>
 
+#include "cases/scene/nearest.h"
 #include "cases/scene/printable.h"
 #include "reports/content.h"
 #include "reports/findings.h"
@@ -79,13 +82,20 @@ bool is_asked(const Check& check, const FindingCell& first) {
   return format_setting(std::get<double>(first)) == check.row;
 }
 
+std::string no_column(const Finding& finding, const std::string& column) {
+  std::vector<std::string> known;
+  for (const FindingColumn& one : finding.columns) known.push_back(one.name);
+  const auto meant = nearest(column, known);
+  return fmt::format("no column '{}'{}", column, meant ? ": did you mean '" + *meant + "'?" : "");
+}
+
 CheckResult judge(const Scene& scene, const Check& check, const std::vector<Finding>& findings) {
   CheckResult worst = blank(scene, check, "no record");
   for (const Finding& finding : findings) {
     const bool own = finding.case_name == scene.name && finding.profile == scene.profile && finding.name == check.table;
     if (!own) continue;
     const auto column = column_of(finding, check.column);
-    if (!column) return blank(scene, check, "no such column");
+    if (!column) return blank(scene, check, no_column(finding, check.column));
     for (std::size_t i = 0; i < finding.rows.size(); ++i) {
       if (finding.rows[i].empty() || !is_asked(check, finding.rows[i][0])) continue;
       if (!check.status.empty()) {

@@ -275,7 +275,8 @@ TEST(CheckResults, CellsWithoutANumberAndColumnsThatAreMissingAreNotMeasured) {
   EXPECT_FALSE(of_table("zeta asked", "", 1).measured);  // n/a from row 7 on
   EXPECT_EQ(of_table("zeta asked", "", 1).status, "not a number in row 7");
   EXPECT_FALSE(of_table("no such", "", 1).holds);
-  EXPECT_EQ(of_table("no such", "", 1).status, "no such column");
+  EXPECT_EQ(of_table("no such", "", 1).status, "no column 'no such'");
+  EXPECT_EQ(of_table("zeta ful", "", 1).status, "no column 'zeta ful': did you mean 'zeta full'?");
 }
 
 }  // namespace
