@@ -64,9 +64,10 @@ std::shared_ptr<const FloatingBases> lost(FloatingBases bases) {
 
 TEST_F(ContactCellTest, OfARoundBodyInSmallStepsAreStableAndKnownWell) {
   const ContactCell one = cell(own());
+  ASSERT_GT(own().reference.duration, 0);  // the run holds the whole impact
   EXPECT_EQ(one.found, StepClass::stable);
-  EXPECT_NEAR(one.energy, 1, 1e-3);
-  EXPECT_LT(one.error() + one.bar(), 0.01);
+  EXPECT_NEAR(one.energy, 1, 1e-3);          // average acceleration gains none but where the layer opens
+  EXPECT_LT(one.error() + one.bar(), 0.01);  // a fifth of what "stable" asks for, at 1/1024 of the contact
   EXPECT_GT(one.bar_of_peak, 0);
 }
 

@@ -17,7 +17,7 @@ constexpr double at_most = 3600;  // [s]
 void require_memory_of(const CountedContender& one, const Scene& scene) try {
   require_memory(memory(scene, Contender{one.method, one.integrator, own_meshes(scene), one.settings}, true),
                  available_memory());
-} catch (const std::exception& error) {
+} catch (const std::runtime_error& error) {
   throw std::runtime_error(fmt::format("{}, {}: {}", printable(scene.name, 64), one.name, error.what()));
 }
 
