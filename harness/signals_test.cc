@@ -75,6 +75,22 @@ TEST(SignalCases, WhatStoresNothingEndsAtOnce) {
   }
 }
 
+// METIS, which orders large matrices, would take SIGTERM for itself: at any time of a run's first seconds it ends it.
+TEST(SignalCases, WhileMatricesAreOrderedASignalEndsWhatItShould) {
+  for (const double after : {0.7, 1.2, 1.7, 2.2, 2.7, 3.2}) {
+    const ScratchFolder scratch;
+    std::string words = small_case();
+    const std::string finer = "degree = 3, cells = [1, 2]";
+    written(scratch / "case.toml", words.replace(words.find(finer), finer.size(), "degree = 3, cells = [8, 16]"));
+    Process process(scratch.path(), run);
+    ASSERT_FALSE(process.ends_within(after)) << process.err();
+    process.send(SIGTERM);
+    EXPECT_TRUE(process.ends_within(Interruptible::patience + 10)) << after;
+    EXPECT_EQ(process.code(), 130) << after << process.err();
+    EXPECT_THAT(process.err(), HasSubstr("interrupted; what is finished is kept")) << after;
+  }
+}
+
 // Runs of a minute each, whose end nobody waits for: one signal is enough, and the last words are those of a good end.
 TEST(SignalCases, WhatTakesLongIsNotWaitedFor) {
   for (const char* jobs : {"1", "2"}) {

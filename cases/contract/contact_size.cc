@@ -82,14 +82,14 @@ ContactSize point_contact(const Press& press, double modulus, double radius) {
   const double speed = std::max(press.speed, std::sqrt(0.8 * k * std::pow(resting, 2.5) / press.mass));
   const HertzPeaks peaks = hertz_peaks({press.mass, k, speed});
   const double a = std::min(std::sqrt(radius * peaks.approach), widest * radius);
-  return {modulus, a, peaks.approach, speed, peaks.duration, peaks.force, 0};
+  return {modulus, a, peaks.approach, speed, peaks.duration, peaks.force, 0, 1 / radius};
 }
 
 ContactSize flat_contact(const Press& press, const Body& body, double modulus, double l) {
   const double c = std::sqrt(youngs_modulus(body.material) / body.material.density), A = volume(body.shape) / l;
   const double impedance = body.material.density * c * A;
   const double speed = std::max({press.speed, press.weight / impedance, press.approach * c / l});
-  return {modulus, std::sqrt(A / pi), speed * l / c, speed, 2 * l / c, impedance * speed, 0};
+  return {modulus, std::sqrt(A / pi), speed * l / c, speed, 2 * l / c, impedance * speed, 0, 0};
 }
 
 }  // namespace
@@ -119,8 +119,14 @@ ContactSize strike_size(const Body& body, const ContactPair& pair, const Obstacl
   const double modulus = contact_modulus(body.material, {striker.youngs_modulus, striker.poissons_ratio, 1});
   const double k = pair.stiffness > 0 ? pair.stiffness : hertz_stiffness({ball->radius, modulus});
   const HertzPeaks peaks = hertz_peaks({striker.mass, k, striker.speed});
-  return {modulus, std::sqrt(ball->radius * peaks.approach), peaks.approach, striker.speed, peaks.duration, peaks.force,
-          k};
+  return {modulus,
+          std::sqrt(ball->radius * peaks.approach),
+          peaks.approach,
+          striker.speed,
+          peaks.duration,
+          peaks.force,
+          k,
+          1 / ball->radius};
 }
 
 }  // namespace mb

@@ -24,6 +24,7 @@ struct ContactSize {
   double duration;   // T [s]
   double force;      // F [N] largest
   double stiffness;  // k_n [Pa/m] as stated by the pair, or `auto`; of law hertz k [N/m^1.5]
+  double curvature;  // 1/R [1/m] of the gap, geometric mean; 0: flat
 };
 
 // At the body's point X [m, body frame], which meets the obstacle at `speed` [m/s] >= 0 along its normal; `at`: the gap

@@ -50,6 +50,7 @@ struct Trajectory {
   std::vector<BodyTrajectory> bodies;
   Work work;
   Status status = Status::ok;
+  std::string case_name = {};  // whose it is, in a store
 };
 
 class Prepared {

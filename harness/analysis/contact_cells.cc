@@ -48,10 +48,10 @@ std::optional<Trajectory> finite_run(const VariedLayer& layer, const std::shared
   return {};
 }
 
-// [s] Of the contact in this layer: as seen, or where its reference lost it as the scene's own layer has it.
+// [s] Of the contact in this layer: as seen, or where its reference lost it as expected.
 double duration_of(const VariedLayer& layer) {
   const double seen = layer.reference.duration;
-  return std::isfinite(seen) && seen > 0 ? seen : layer.encounter.meeting.size.duration;
+  return std::isfinite(seen) && seen > 0 ? seen : layer.impact.duration;
 }
 
 // What is seen against what the radius of one step says, which one contact takes to so many powers, one at least: what
@@ -97,9 +97,7 @@ double VariedLayer::opening_limit() const { return mb::opening_limit(pressed, en
 
 double ContactCell::error() const { return larger(of_peak, of_impulse); }
 
-double contact_step(const Encounter& encounter, int i) {
-  return 2 * encounter.meeting.size.duration * std::pow(0.5, i);
-}
+double contact_step(const LayerImpact& impact, int i) { return 2 * impact.duration * std::pow(0.5, i); }
 
 double ContactCell::bar() const { return larger(bar_of_peak, bar_of_impulse); }
 
@@ -119,20 +117,20 @@ ContactCell contact_cell(const VariedLayer& layer, const Integrator& scheme, dou
 std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const ContactVariants& variants,
                                        const std::string& method, int r, const std::vector<double>& factors) {
   const Encounter encounter = first_encounter(*context.scene);
-  const auto& [contact, t, X, size, Y] = encounter.meeting;
-  const double T = size.duration;
-  Scene scene = thrown(*context.scene, 1, T, 8 * T);
-  throw_at_least(scene, encounter, T);
-  scene.samples_per_second = samples / T;
   std::vector<VariedLayer> all;
   for (const double factor : factors) {
-    VariedLayer layer{encounter, factor, pressed(variants, encounter, r, factor), scene, nullptr, nullptr, {}};
-    layer.scene.contacts.at(contact).stiffness = factor * size.stiffness;
+    const LayerImpact impact = layer_impact(encounter, factor);
+    const double T = impact.duration;
+    Scene scene = thrown(*context.scene, 1, T, 8 * T);
+    throw_at_least(scene, encounter, T);
+    scene.samples_per_second = samples / T;
+    scene.contacts.at(encounter.meeting.contact).stiffness = impact.stiffness;
+    VariedLayer layer{encounter, factor, impact, pressed(variants, encounter, r, impact), scene, nullptr, nullptr, {}};
     const ContactContender finest{
-        .method = method, .modes = r, .time_step = contact_step(encounter, contact_steps_tried + 1)};
+        .method = method, .modes = r, .time_step = contact_step(impact, contact_steps_tried + 1)};
     layer.bases = variants.bases(layer.scene, finest);
     layer.nudged = std::make_shared<const FloatingBases>(nudged(*layer.bases));
-    layer.pressed.yields = static_yields(*layer.bases, encounter);
+    layer.pressed.yields = static_yields(*layer.bases, encounter, impact.radius);
     const Trajectory reference = variants.simulate(layer.scene, finest);
     layer.reference = first_impact(reference, reference);
     ContactContender coarser = finest;

@@ -39,7 +39,8 @@ class ContactCellTest : public ::testing::Test {
                                     model = std::make_unique<Model>(make_model(scene, r));
                                     return *model;
                                   }};
-    own() = varied_layers(context, ContactVariants(context), "eigenmodes", 6, {1}).front();
+    const auto layers = varied_layers(context, ContactVariants(context), "eigenmodes", 6, {1, 1e-4});
+    own() = layers[0], soft() = layers[1];
   }
   static const Catalogue& catalogue() {
     static const Catalogue all = default_catalogue();
@@ -49,12 +50,26 @@ class ContactCellTest : public ::testing::Test {
     static VariedLayer layer;
     return layer;
   }
+  static VariedLayer& soft() {
+    static VariedLayer layer;
+    return layer;
+  }
   // At the least step of the maps.
   static ContactCell cell(const VariedLayer& layer) {
-    return contact_cell(layer, catalogue().integrator("newmark"),
-                        contact_step(layer.encounter, contact_steps_tried - 1));
+    return contact_cell(layer, catalogue().integrator("newmark"), contact_step(layer.impact, contact_steps_tried - 1));
   }
 };
+
+// Which takes many times as long as the same ball's impact on a hard floor.
+TEST_F(ContactCellTest, OfASoftLayerHoldTheWholeImpact) {
+  EXPECT_GT(soft().impact.duration, 5 * own().encounter.meeting.size.duration);
+  EXPECT_NEAR(soft().reference.duration / soft().impact.duration, 1, 0.1);
+  const double m = soft().encounter.mass, v = soft().encounter.meeting.size.speed;
+  EXPECT_NEAR(soft().reference.impulse / (2 * m * v), 1, 0.01);
+  const ContactCell one = cell(soft());
+  EXPECT_EQ(one.found, StepClass::stable);
+  EXPECT_LT(one.error() + one.bar(), 0.01);
+}
 
 // So fast that no run holds what it does to the layer.
 std::shared_ptr<const FloatingBases> lost(FloatingBases bases) {

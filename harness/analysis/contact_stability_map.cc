@@ -31,7 +31,8 @@ Finding map_table(const MappedMethod& mapped) {
   return table(
       "contact-stability", mapped.table, "Steps in contact over the layer's stiffness, " + std::string(mapped.in),
       "The first body in modes as titled, thrown against what it meets as in the scene, with other layers and twelve "
-      "steps, each half the one before, of explicit Euler in the scene's own layer sixteen; what rests, as fast as "
+      "steps, from two durations of the impact on the layer down, each half the one before, of explicit Euler in the "
+      "scene's own layer sixteen; what rests, as fast as "
       "its weight alone would have it fall. Energy: 1, and what the motion gains by the impact, with what the layer "
       "took away from it, over the kinetic energy along the normal. Unstable: it is more than 1.1, or a step has no "
       "solution or throws bodies to where nothing is known of their contact. Inaccurate: bounded, and peak force or "
@@ -127,11 +128,11 @@ struct Summary {
 void map_steps(const std::vector<VariedLayer>& layers, const Integrator& scheme, Finding& map, Finding& summary) {
   Summary sum;
   for (const VariedLayer& layer : layers) {
-    const double T = layer.encounter.meeting.size.duration, limit = pressed_limit(layer.pressed, scheme.name, 8 * T);
+    const double T = layer.impact.duration, limit = pressed_limit(layer.pressed, scheme.name, 8 * T);
     const double opening = layer.opening_limit();
     const bool to_converge = layer.factor == 1 && scheme.name == "explicit-euler";
     for (int i = 0; i < contact_steps_tried + (to_converge ? more_of_euler : 0); ++i) {
-      const ContactCell one = contact_cell(layer, scheme, contact_step(layer.encounter, i));
+      const ContactCell one = contact_cell(layer, scheme, contact_step(layer.impact, i));
       sum.add(one, opening);
       if (layer.factor == 1) sum.keep_error(one);
       if (i == contact_steps_tried - 1) sum.keep_last(one);

@@ -64,7 +64,19 @@ Encounter first_encounter(const Scene& scene) {
   return {*met, gap(surface_met(scene, body, *met), body.pose.to_world(met->X) + flown).normal, share * mass_of(body)};
 }
 
-PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, double factor) {
+LayerImpact layer_impact(const Encounter& encounter, double factor) {
+  const ContactSize& size = encounter.meeting.size;
+  const double k = factor * size.stiffness, m = encounter.mass, v = size.speed;
+  if (size.curvature == 0) {
+    const double area = pi * size.radius * size.radius;
+    return {k, size.radius, std::max(size.duration, pi * std::sqrt(m / (k * area)))};
+  }
+  const double g = std::cbrt(1.5 * size.curvature * m * v * v / (pi * k));
+  constexpr double of_cubic = 1.4021821053254548;  // sqrt(pi) Gamma(4/3)/Gamma(5/6)
+  return {k, std::max(size.radius, std::sqrt(2 * g / size.curvature)), std::max(size.duration, 2 * of_cubic * g / v)};
+}
+
+PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, const LayerImpact& impact) {
   const Scene& scene = *variants.body().scene_model.scene;
   const auto& [meeting, normal, mass] = encounter;
   PressedModes all = modes_at(variants, 0, meeting.X, normal, r);
@@ -73,18 +85,17 @@ PressedModes pressed(const ContactVariants& variants, const Encounter& encounter
     const PressedModes other = modes_at(variants, place, meeting.Y, -normal, r);
     all = {joined(all.lambda, other.lambda), joined(all.c, other.c), joined(all.g, other.g), 0};
   }
-  const double a = meeting.size.radius;
-  all.kappa = factor * meeting.size.stiffness * pi * a * a;
+  all.kappa = impact.stiffness * pi * impact.radius * impact.radius;
   return all;
 }
 
-std::vector<StaticYield> static_yields(const FloatingBases& bases, const Encounter& encounter) {
+std::vector<StaticYield> static_yields(const FloatingBases& bases, const Encounter& encounter, double a) {
   const FloatingBasis& first = bases.front();
   const Body& body = first.scene->bodies.front();
   const auto meetings = touchdown(*first.scene, body).meetings;
   const auto at = std::ranges::find(meetings, encounter.meeting.contact, &Meeting::contact) - meetings.begin();
   const SampledContact& contact = first.body.contacts.at(static_cast<size_t>(at));
-  const auto near = samples_within(body.shape, contact.samples, encounter.meeting.X, encounter.meeting.size.radius);
+  const auto near = samples_within(body.shape, contact.samples, encounter.meeting.X, a);
   std::vector<StaticYield> all;
   const auto add = [&](const FloatingBasis& basis, const MatrixXd& Psi) {
     const Vector3d n = basis.scene->bodies[basis.place].pose.orientation.conjugate() * encounter.normal;

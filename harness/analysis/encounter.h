@@ -18,15 +18,27 @@ struct Encounter {
 // Throws std::invalid_argument where the first body meets nothing.
 Encounter first_encounter(const Scene& scene);
 
-// The first r elastic modes of both bodies and their rigid ones, the layer `factor` times as stiff as the scene's.
-PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, double factor);
+// The impact on a layer `factor` times as stiff as the scene's: that of elastic bodies without one (contact_size.h), or
+// of rigid ones on the layer alone, whichever is wider and longer:
+//
+//   flat    T = pi sqrt(m/(k A))
+//   round   m v^2/2 = pi k g^3/(3 c),   a^2 = 2 g/c,   T = 2 g/v int_0^1 dx/sqrt(1 - x^3),   c the curvature
+struct LayerImpact {
+  double stiffness;  // k [Pa/m]
+  double radius;     // a [m] of the contact
+  double duration;   // T [s]
+};
+LayerImpact layer_impact(const Encounter& encounter, double factor);
+
+// The first r elastic modes of both bodies and their rigid ones, kappa = k pi a^2.
+PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, const LayerImpact& impact);
 
 // What static shapes of both bodies add to the compliance of that area, in balance as they are with the force on it:
 //
 //   c = psi^T K_s^-1 psi,   psi = mean over |X - X_c| < a of Psi^T n
 //
-// over samples that face what is met. None of bases that have none.
-std::vector<StaticYield> static_yields(const FloatingBases& bases, const Encounter& encounter);
+// a [m] over samples that face what is met. None of bases that have none.
+std::vector<StaticYield> static_yields(const FloatingBases& bases, const Encounter& encounter, double a);
 
 // What is slower than its weight alone would have it be, at rest above all, is thrown at that, `flight` [s] before it
 // touches.

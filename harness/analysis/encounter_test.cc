@@ -31,8 +31,9 @@ Scene ball_on_floor() {
 // The layer at the first touch in series with static shapes, or not.
 struct Touched {
   PressedModes pressed_by(const std::string& method) const {
-    PressedModes found = pressed(variants, encounter, 8, 1);
-    found.yields = static_yields(*variants.bases(*scene, {method, 8, 2e-4}), encounter);
+    const LayerImpact impact = layer_impact(encounter, 1);
+    PressedModes found = pressed(variants, encounter, 8, impact);
+    found.yields = static_yields(*variants.bases(*scene, {method, 8, 2e-4}), encounter, impact.radius);
     return found;
   }
 
@@ -47,6 +48,30 @@ struct Touched {
   ContactVariants variants{context};
   Encounter encounter = first_encounter(*scene);
 };
+
+// m v^2/2 of a rigid ball is taken by pi k R g^3/3, of a rigid block by k A g^2/2: integrated by small steps.
+TEST(Encounter, ASoftLayerMakesTheImpactLongerAndWider) {
+  Encounter encounter = first_encounter(ball_on_floor());
+  ContactSize& size = encounter.meeting.size;
+  const LayerImpact own = layer_impact(encounter, 1);
+  EXPECT_EQ(own.radius, size.radius) << "k a/E* = 100: the ball's own";
+  EXPECT_EQ(own.duration, size.duration);
+  for (const bool is_round : {true, false}) {
+    if (!is_round) size.curvature = 0;
+    const LayerImpact soft = layer_impact(encounter, 1e-6);
+    const double R = 1 / size.curvature, A = pi * size.radius * size.radius, h = soft.duration * 1e-5;
+    double g = 0, v = size.speed, t = 0, deepest = 0;
+    for (; g >= 0; t += h) {
+      g += h * v;
+      v -= h * soft.stiffness * (is_round ? pi * R * g * g : A * g) / encounter.mass;
+      deepest = std::max(deepest, g);
+    }
+    EXPECT_NEAR(soft.duration / t, 1, 1e-4) << is_round;
+    EXPECT_GT(soft.duration, 10 * size.duration) << is_round;
+    if (is_round) EXPECT_NEAR(soft.radius / std::sqrt(2 * R * deepest), 1, 1e-4);
+    if (!is_round) EXPECT_EQ(soft.radius, size.radius);
+  }
+}
 
 // Of a half-space that is pressed evenly over a disc the mean yields by 16/(3 pi^2) F/(E* a) = 0.54 F/(E* a) (Johnson
 // 1985, Contact Mechanics, sect. 3.4); eight modes have a part of it.

@@ -12,6 +12,10 @@
 
 namespace mb {
 
+namespace {
+constexpr Index small_body = 350;  // [-] unknowns of which a dense solver finds all modes in a second
+}  // namespace
+
 Modes leading(const Modes& modes, int n_elastic) {
   Index n = std::min(modes.size(), modes.n_rigid + n_elastic);
   const VectorXd lambda = modes.omega.array().square();
@@ -31,7 +35,8 @@ VectorXd damping_ratios(const System& system, const Modes& modes) {
 
 VectorXd without_rounding(const VectorXd& omega, const VectorXd& zeta) {
   const VectorXd c = 2 * zeta.cwiseProduct(omega);
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() * c.lpNorm<Eigen::Infinity>();
+  const double terms = std::max(8., static_cast<double>(c.size()));
+  const double rounding = terms * std::numeric_limits<double>::epsilon() * c.lpNorm<Eigen::Infinity>();
   return (c.array() > rounding).select(zeta, 0);
 }
 
@@ -58,6 +63,31 @@ ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolu
   return {scene_model, model, system, std::move(shifted), std::move(modes)};
 }
 
+SeenModes seen_modes(const FullModel& full, const Quadrature& volume, const Modes& modes) {
+  const VectorXd omega = modes.omega.tail(modes.size() - modes.n_rigid);
+  return {omega, without_rounding(omega, damping_ratios(full.system(), modes)),
+          seen_at(full, volume, modes.Phi.rightCols(omega.size()))};
+}
+
+SeenModes seen_modes(const ModalBody& body) {
+  return seen_modes(*body.model.full, body.model.points.volume, body.modes);
+}
+
+SeenModes in_order_of(const SeenModes& own, const SeenModes& other) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const ModePairs pairs = mode_pairs(own.shapes, other.shapes);
+  const Index n = own.omega.size();
+  SeenModes ordered{VectorXd::Constant(n, none), VectorXd::Constant(n, none),
+                    MatrixXd::Constant(other.shapes.rows(), n, none)};
+  for (Index i = 0; i < n; ++i) {
+    const Index j = farthest(own.omega[i], other.omega, pairs[static_cast<size_t>(i)]);
+    if (j < 0) continue;
+    ordered.omega[i] = other.omega[j], ordered.zeta[i] = other.zeta[j];
+    ordered.shapes.col(i) = other.shapes.col(j);
+  }
+  return ordered;
+}
+
 AnotherMesh another_mesh(const Scene& scene) {
   if (scene.truth.finer == own_meshes(scene)) return {scene.truth.coarser, 1};
   return {scene.truth.finer, 2};
@@ -70,7 +100,7 @@ std::vector<int> mode_counts(const AnalysisContext& context) {
   const Index n = context.model(own_meshes(scene)).bodies.front().full->system().K.rows();
   std::vector<int> counts;
   for (const int r : all)
-    if (r > 0 && 3 * r <= n) counts.push_back(r);
+    if (r > 0 && (3 * r <= n || n <= small_body)) counts.push_back(r);
   if (counts.empty()) counts.push_back(1);
   return counts;
 }

@@ -8,6 +8,7 @@
 #include "cases/contract/modes.h"
 #include "harness/analysis/analysis.h"
 #include "mechanics/system/static_response.h"
+#include "modal/bases/mode_pairs.h"
 
 namespace mb {
 
@@ -34,6 +35,17 @@ struct ModalBody {
 // With n_elastic elastic modes, if the body has as many; on its own mesh, or on that of a whole scene's.
 ModalBody modal_body(const AnalysisContext& context, int n_elastic);
 ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolution& meshes);
+// Elastic modes as other meshes may be held against them.
+struct SeenModes {
+  VectorXd omega, zeta;  // [rad/s]; [-] without_rounding
+  MatrixXd shapes;       // seen_at (mode_pairs.h)
+};
+SeenModes seen_modes(const ModalBody& body);
+SeenModes seen_modes(const FullModel& full, const Quadrature& volume, const Modes& modes);
+// The other mesh's in the order of the own's: of each its pair, the farthest in frequency where there are several; NaN
+// where it has none.
+SeenModes in_order_of(const SeenModes& own, const SeenModes& other);
+
 // What tells how far numbers of the own mesh are off: the truth's `finer`. Where the error of that is half of the own's
 // at most, |own - exact| <= 2 |own - finer|; where the own is `finer`, |own - exact| <= |own - coarser| likewise. What
 // a mesh leaves as it is, as the sides of a cylinder's cells, it tells nothing of: 1e-8 of frequencies of torsion.
@@ -47,8 +59,8 @@ AnotherMesh another_mesh(const Scene& scene);
 // both numbers where it takes more memory than there is.
 Model model_of_own_mesh(const std::shared_ptr<const Scene>& scene, const Resolution& mesh);
 
-// Mode counts of the study, closed form and steppings together, ascending, without 0 and those beyond a third of the
-// body's degrees of freedom, where only a dense solver would do; never empty.
+// Mode counts of the study, closed form and steppings together, ascending, without 0 and those beyond a third of more
+// than 350 degrees of freedom of the body, where only a dense solver would do; never empty.
 std::vector<int> mode_counts(const AnalysisContext& context);
 // At most n_wanted of them, evenly picked, the smallest and the largest among them.
 std::vector<int> few(const std::vector<int>& counts, int n_wanted);

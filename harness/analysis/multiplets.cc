@@ -110,8 +110,9 @@ Finding answers(const System& system, const Modes& modes, const ModalForm& dense
 std::vector<Finding> multiplets(const AnalysisContext& context) {
   const int most = mode_counts(context).back();
   const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
-  const VectorXd on_another_mesh = modal_body(context, most, meshes).modes.omega;
+  const SeenModes other = seen_modes(modal_body(context, most + more_of_other, meshes));
   const ModalBody body = modal_body(context, most);  // last: the context has one model at a time
+  const VectorXd on_another_mesh = in_order_of(seen_modes(body), other).omega;
   System undamped = body.system;
   if (undamped.M.rows() > largest_dense)
     throw std::invalid_argument(
@@ -126,9 +127,8 @@ std::vector<Finding> multiplets(const AnalysisContext& context) {
     found.rows.push_back({count(each.multiplet.first - n_rigid + 1), count(each.multiplet.n), hertz, each.gap,
                           each.difference, each.distance, each.distance * each.gap});
     const double rounding = rounding_of_frequency(body.modes, each.omega);
-    const Index i = each.multiplet.first;
-    const double off = i < on_another_mesh.size() ? std::abs(on_another_mesh[i] - each.omega) / (2 * pi) : infinity;
-    const double mesh = bar_per_distance * off;
+    const double off = std::abs(on_another_mesh[each.multiplet.first - n_rigid] - each.omega) / (2 * pi);
+    const double mesh = std::isnan(off) ? infinity : bar_per_distance * off;
     bar_last_row(found, {{"frequency", mesh + rounding * hertz},
                          {"gap", rounding_of_gap(body.modes, each.omega, each.gap)},
                          {"difference of frequency", rounding}});

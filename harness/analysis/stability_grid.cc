@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/analysis/modal_body.h"
 #include "harness/analysis/step_limit.h"
 #include "mechanics/system/exact.h"
 
@@ -27,15 +28,18 @@ Settings stepping_by(double dt) {
   return settings;
 }
 
-double largest_energy(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps) {
-  const System free = in_free_vibration(mapped);
+// E(t)/E(0) of that motion `scale` times as large.
+double largest_energy(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps,
+                      double scale = 1) {
+  System free = in_free_vibration(mapped);
+  free.u0 *= scale;
   const VectorXd times = VectorXd::LinSpaced(n_steps, dt, static_cast<double>(n_steps) * dt);
   const States states = integrator.prepare(free, stepping_by(dt), times(n_steps - 1))->run(times);
   if (states.status != Status::ok) return std::numeric_limits<double>::infinity();
   const VectorXd k = free.K.diagonal();
   const VectorXd twice = states.v.colwise().squaredNorm().transpose() +
                          (k.asDiagonal() * states.u).cwiseProduct(states.u).colwise().sum().transpose();
-  return twice.maxCoeff() / static_cast<double>(mapped.modes.omega.size());
+  return twice.maxCoeff() / (scale * scale * static_cast<double>(mapped.modes.omega.size()));
 }
 
 double error_of_steps(const MappedSystem& mapped, const Integrator& integrator, double dt) {
@@ -57,6 +61,12 @@ std::optional<StepClass> prediction(double radius, long n_steps) {
   const double growth = 2 * static_cast<double>(n_steps) * std::log(radius);
   if (growth <= 1e-6) return StepClass::stable;
   return growth > 2 * std::log(energy_bound) ? std::optional(StepClass::unstable) : std::nullopt;
+}
+
+// Whether the limit lies within `near_limit` of the step.
+bool is_at_limit(const SteppedModes& modes, const Scheme& scheme, double dt) {
+  return step_radius(modes, scheme, (1 - near_limit) * dt) <= 1 + 1e-12 &&
+         step_radius(modes, scheme, (1 + near_limit) * dt) > 1;
 }
 
 }  // namespace
@@ -84,17 +94,27 @@ StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, dou
   const double radius = scheme ? step_radius(mapped.modes, *scheme, dt) : nan;
   const bool is_bounded = radius <= 1 + 1e-12;
   const double bound = is_bounded ? energy_of_theory(integrator.name, mapped.modes.omega.maxCoeff() * dt) : nan;
-  StepCell cell{dt, radius, n_steps, 0, bound, nan, StepClass::unstable, {}};
+  StepCell cell{dt, radius, n_steps, 0, bound, nan, StepClass::unstable, {}, false};
   cell.predicted = prediction(cell.radius, n_steps);
   cell.energy = largest_energy(mapped, integrator, dt, n_steps);
-  if (!(cell.energy <= energy_bound)) return cell;
+  if (!(cell.energy <= energy_bound)) {
+    cell.at_limit = is_bounded && is_at_limit(mapped.modes, *scheme, dt);
+    return cell;
+  }
   cell.error = error_of_steps(mapped, integrator, dt);
   cell.found = cell.error <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
   return cell;
 }
 
+double bar_of_energy(const MappedSystem& mapped, const Integrator& integrator, const StepCell& cell) {
+  const double by_step = static_cast<double>(cell.n_steps) * std::numeric_limits<double>::epsilon() * cell.energy;
+  return std::max(by_step,
+                  2 * std::abs(largest_energy(mapped, integrator, cell.dt, cell.n_steps, 1. / 3) - cell.energy));
+}
+
 std::string verdict(const StepCell& cell) {
   if (std::isnan(cell.radius)) return "no prediction";
+  if (cell.at_limit) return "at the limit";
   if (!cell.predicted) {
     const double growth = 2 * static_cast<double>(cell.n_steps) * std::log(cell.radius);
     const bool explains = growth > std::log(energy_bound / 100);  // transients add less than a hundredfold
@@ -107,8 +127,12 @@ std::string verdict(const StepCell& cell) {
 double predicted_limit(const MappedSystem& mapped, const std::string& integrator) {
   const Scheme* scheme = scheme_of(integrator, mapped.system);
   if (!scheme) return nan;
-  if (mapped.modes.coupled.K.size() > 0) return stable_step(mapped.modes.coupled, scheme->integrator);
-  return measured_limit(*scheme, mapped.modes.omega, mapped.modes.zeta).dt;
+  const auto& [omega, zeta, coupled] = mapped.modes;
+  if (coupled.K.size() == 0) return measured_limit(*scheme, omega, without_rounding(omega, zeta)).dt;
+  const double rounding = static_cast<double>(std::max<Index>(8, coupled.C.rows())) *
+                          std::numeric_limits<double>::epsilon() * coupled.C.lpNorm<Eigen::Infinity>();
+  const MatrixXd C = (coupled.C.array().abs() > rounding).select(coupled.C, 0);
+  return stable_step({coupled.K, C}, scheme->integrator);
 }
 
 }  // namespace mb

@@ -25,6 +25,7 @@ enum class StepClass { stable, inaccurate, unstable };
 const char* to_string(StepClass of);  // "stable", "inaccurate", "unstable"
 
 constexpr double energy_bound = 1e4;      // [-] of E(t)/E(0)
+constexpr double near_limit = 2e-4;       // [-] of a step, by the above
 constexpr double inaccurate_from = 0.05;  // [-] of the error in the M norm over the scene's sample times
 
 // A system in modal coordinates, as project() makes it: M = I, K diagonal, the first R.cols() coordinates rigid.
@@ -46,10 +47,15 @@ struct StepCell {
   double error;   // [-] NaN where unstable
   StepClass found;
   std::optional<StepClass> predicted;  // whether unstable, else stable; none: unknown, or growth too slow to be seen
+  bool at_limit;                       // unstable although rho <= 1, and rho passes 1 within `near_limit` of the step
 };
 StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps);
 
-// "as predicted", "not as predicted", "too slow to be seen", "no prediction"
+// [-] What rounding makes of the energy, if that is finite: eps of it a step, or twice what it is otherwise where the
+// motion is a third as large, which is the same but for rounding; whichever is larger.
+double bar_of_energy(const MappedSystem& mapped, const Integrator& integrator, const StepCell& cell);
+
+// "as predicted", "not as predicted", "at the limit", "too slow to be seen", "no prediction"
 std::string verdict(const StepCell& cell);
 
 // dt [s] where rho passes 1; 0: at any step; infinity: nowhere; NaN: unknown. To 1e-9 of it.

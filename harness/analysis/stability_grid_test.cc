@@ -96,6 +96,30 @@ TEST(StabilityGrid, GrowthTooSlowForTheRunIsNotCalledStability) {
   EXPECT_EQ(verdict(fast), "as predicted");
 }
 
+// There a double eigenvalue -1, or an energy bound without end, makes what does not grow by rho pass any bound.
+TEST(StabilityGrid, AStepAtTheLimitIsNoContradiction) {
+  const MappedSystem undamped = under_a_pulse({});
+  for (const char* name : {"symplectic-euler", "central-difference"}) {
+    const StepCell at = cell(undamped, name, 2. / 80);
+    EXPECT_EQ(verdict(at), at.found == StepClass::unstable ? "at the limit" : "as predicted") << name;
+    EXPECT_FALSE(cell(undamped, name, 0.99 * 2 / 80).at_limit) << name;
+    EXPECT_FALSE(cell(undamped, name, 1.01 * 2 / 80).at_limit) << name;
+  }
+  EXPECT_EQ(verdict(cell(undamped, "symplectic-euler", (1 - 1e-5) * 2 / 80)), "at the limit");
+}
+
+// Damping of the stiffness, taken from one mode again, leaves rounding of either sign.
+TEST(StabilityGrid, AModeUndampedButForRoundingHasNoStepOfExplicitEuler) {
+  for (const double residue : {1e-16, 0., -1e-16}) {
+    System system = test::oscillators(omega, {0, 1e-3});
+    system.modal_damping = {VectorXd::Unit(3, 1), VectorXd{{-1e-3 * 625 * (1 + residue)}}};
+    system.F = VectorXd{{1, -2, 3}};
+    system.s = {Pulse{.duration = 0.5}};
+    const MappedSystem mapped = mapped_system(system, VectorXd::LinSpaced(101, 0, 1), 1, 1e-6);
+    EXPECT_EQ(predicted_limit(mapped, "explicit-euler"), 0) << residue;
+  }
+}
+
 // A dashpot that every mode feels: the limit is that of all together, below that of the diagonal of its damping.
 TEST(StabilityGrid, StepsOfModesThatDampingCouplesDoWhatOneOfThemSays) {
   System system = test::oscillators(omega, {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "harness/analysis/footings.h"
 #include "harness/analysis/modal_body.h"
@@ -55,22 +56,85 @@ double distance(const FindingColumn& column, const FindingCell& a, const Finding
   return std::abs(column.unit == "deg" ? std::remainder(difference, 360) : difference);
 }
 
+using RowPairs = std::vector<std::vector<std::size_t>>;  // of every row those of the other table
+
+RowPairs in_same_places(const Finding& finding, const Finding& other) {
+  RowPairs all(finding.rows.size());
+  const bool counts_too = other.rows.size() != finding.rows.size();
+  for (std::size_t i = 0; i < std::min(all.size(), other.rows.size()); ++i)
+    if (tell_of_the_same(finding.columns, finding.rows[i], other.rows[i], counts_too)) all[i].push_back(i);
+  return all;
+}
+
+std::optional<std::size_t> column_of_modes(const Finding& finding) {
+  for (std::size_t j = 0; j < finding.columns.size(); ++j)
+    if (finding.columns[j].name == "mode" || finding.columns[j].name == "undamped mode") return j;
+  return std::nullopt;
+}
+
+// Numbers in column j from 1 on: of the first elastic mode, or of the first.
+Index first_of(const Finding& finding, std::size_t j, const ElasticPairs& elastic) {
+  return finding.columns[j].name == "mode" ? 1 : 1 + elastic.n_rigid;
+}
+
+// Rows of that mode, in their order, whose texts are those of `row`.
+std::vector<std::size_t> rows_of(const Finding& finding, std::size_t j, double mode,
+                                 const std::vector<FindingCell>& row) {
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < finding.rows.size(); ++i) {
+    const auto& one = finding.rows[i];
+    bool is_same = number(one[j]) == mode;
+    for (std::size_t k = 0; k < j; ++k) is_same = is_same && (one[k].index() != 0 || one[k] == row[k]);
+    if (is_same) all.push_back(i);
+  }
+  return all;
+}
+
+RowPairs of_same_modes(const Finding& finding, const Finding& other, std::size_t j, const ElasticPairs& elastic) {
+  RowPairs all(finding.rows.size());
+  const Index first = first_of(finding, j, elastic), n = std::ssize(elastic.pairs);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& row = finding.rows[i];
+    const double mode = number(row[j]);
+    const auto own = rows_of(finding, j, mode, row);
+    const auto place = static_cast<std::size_t>(std::ranges::find(own, i) - own.begin());
+    if (!(mode >= static_cast<double>(first) && mode < static_cast<double>(first + n))) continue;
+    for (const Index pair : elastic.pairs[static_cast<std::size_t>(mode) - static_cast<std::size_t>(first)]) {
+      const auto theirs = rows_of(other, j, static_cast<double>(pair + first), row);
+      if (place < theirs.size()) all[i].push_back(theirs[place]);
+    }
+  }
+  return all;
+}
+
+// Of the modes that the tables tell of; none where they tell of none.
+std::optional<ElasticPairs> pairs_of(const std::vector<Finding>& findings, const AnalysisContext& context) {
+  double last = 0;
+  for (const Finding& finding : findings)
+    if (const auto j = column_of_modes(finding))
+      for (const auto& row : finding.rows) last = std::fmax(last, number(row[*j]));
+  if (last == 0) return std::nullopt;
+  const int n = static_cast<int>(last);
+  const SeenModes other = seen_modes(modal_body(context, n + more_of_other, another_mesh(*context.scene).meshes));
+  const ModalBody body = modal_body(context, n);
+  return ElasticPairs{body.modes.n_rigid, mode_pairs(seen_modes(body).shapes, other.shapes)};
+}
+
 }  // namespace
 
-void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, double per_distance) {
+void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, double per_distance,
+              const ElasticPairs* elastic) {
   for (Finding& finding : findings) {
     const auto other = std::ranges::find(neighbours, finding.name, &Finding::name);
     if (other == neighbours.end()) continue;
-    const std::size_t n = std::min(finding.rows.size(), other->rows.size());
-    const bool counts_too = other->rows.size() != finding.rows.size();
     if (finding.bars.empty()) finding.bars.assign(finding.rows.size(), std::vector(finding.columns.size(), nan));
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto &row = finding.rows[i], &beside = other->rows[i];
-      if (!tell_of_the_same(finding.columns, row, beside, counts_too)) continue;
-      for (std::size_t j = 0; j < row.size(); ++j)
-        finding.bars[i][j] =
-            std::fmax(finding.bars[i][j], per_distance * distance(finding.columns[j], row[j], beside[j]));
-    }
+    const auto mode = elastic ? column_of_modes(finding) : std::nullopt;
+    const RowPairs beside = mode ? of_same_modes(finding, *other, *mode, *elastic) : in_same_places(finding, *other);
+    for (std::size_t i = 0; i < finding.rows.size(); ++i)
+      for (const std::size_t k : beside[i])
+        for (std::size_t j = 0; j < finding.columns.size(); ++j)
+          finding.bars[i][j] = std::fmax(
+              finding.bars[i][j], per_distance * distance(finding.columns[j], finding.rows[i][j], other->rows[k][j]));
   }
 }
 
@@ -91,8 +155,9 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
   }
   if (analysis.of_mesh) {
     const OnAnotherMesh other = on_another_mesh(context);
-    add_bars(findings, analysis.run({other.scene, context.catalogue, other.truth, context.model}),
-             other.bar_per_distance);
+    const auto neighbours = analysis.run({other.scene, context.catalogue, other.truth, context.model});
+    const auto elastic = pairs_of(findings, context);
+    add_bars(findings, neighbours, other.bar_per_distance, elastic ? &*elastic : nullptr);
   }
   for (Finding& finding : findings) {
     bar_fits(finding);

@@ -5,15 +5,26 @@
 #pragma once
 
 #include "harness/analysis/analysis.h"
+#include "modal/bases/mode_pairs.h"
 
 namespace mb {
+
+// Elastic modes of a body on its mesh that move alike on the other.
+struct ElasticPairs {
+  Index n_rigid;
+  ModePairs pairs;
+};
 
 // Throws as the analysis does. Scenes with contact are not told twice: their budget has its own neighbours.
 std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& context);
 
 // bars = per_distance |cell - cell of the other| where tables and the texts that a row begins with are the same, and,
 // where one has more rows, the counts with them; else NaN. Bars that a table has of its own stay where they are larger.
-void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, double per_distance = 1);
+// Of a table with a column "mode", counted from the first elastic one, or "undamped mode", from the first, rows are
+// those of modes that move alike, where `elastic` says which: the largest bar of several, and of several rows of a mode
+// the one in the same place.
+void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, double per_distance = 1,
+              const ElasticPairs* elastic = nullptr);
 
 // A column "standard error" becomes the bar of the fit in the column before it, unless that has a larger one.
 void bar_fits(Finding& finding);

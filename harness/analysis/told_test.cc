@@ -31,6 +31,38 @@ TEST(AddBars, AreDistancesOfNumbersThatHaveAUnit) {
   EXPECT_TRUE(std::isnan(found[0].bars[0][1])) << "a count";
 }
 
+// Modes 2 and 3 change places on the other mesh, and 4 has nothing there that moves alike.
+TEST(AddBars, OfModesAreOfThoseThatMoveAlike) {
+  Finding own = table("a", "a", "A", "", {{"mode", ""}, {"frequency", "Hz"}});
+  Finding other = own;
+  own.rows = {{1.0, 10.0}, {2.0, 20.0}, {3.0, 22.0}, {4.0, 40.0}};
+  other.rows = {{1.0, 9.0}, {2.0, 19.0}, {3.0, 19.5}, {4.0, 41.0}};
+  const ElasticPairs elastic{6, {{0}, {2}, {1}, {}}};
+  std::vector<Finding> found{own};
+  add_bars(found, {other}, 2, &elastic);
+  EXPECT_EQ(found[0].bars[0][1], 2);
+  EXPECT_EQ(found[0].bars[1][1], 1);
+  EXPECT_EQ(found[0].bars[2][1], 6);
+  EXPECT_TRUE(std::isnan(found[0].bars[3][1]));
+  std::vector<Finding> by_place{own};
+  add_bars(by_place, {other}, 2);
+  EXPECT_EQ(by_place[0].bars[2][1], 5);
+}
+
+// Two of a pair that is rotated share both; an overdamped mode has two rows, told apart by their places.
+TEST(AddBars, OfSeveralRowsAndPairsAreTheLargestInTheirPlace) {
+  Finding own = table("a", "a", "A", "", {{"complex mode", ""}, {"undamped mode", ""}, {"frequency", "Hz"}});
+  Finding other = own;
+  own.rows = {{1.0, 7.0, 1.0}, {2.0, 7.0, 100.0}, {3.0, 8.0, 50.0}};
+  other.rows = {{1.0, 8.0, 1.5}, {2.0, 7.0, 49.0}, {3.0, 7.0, 60.0}, {4.0, 8.0, 103.0}};
+  const ElasticPairs elastic{6, {{1}, {0, 1}}};
+  std::vector<Finding> found{own};
+  add_bars(found, {other}, 1, &elastic);
+  EXPECT_EQ(found[0].bars[0][2], 0.5);
+  EXPECT_EQ(found[0].bars[1][2], 3);
+  EXPECT_EQ(found[0].bars[2][2], 48.5);
+}
+
 // 179 and -179 degrees are 2 apart, whatever that is multiplied by.
 TEST(AddBars, ArePhasesApartTheShorterWayRound) {
   for (const auto& [a, b, apart] :

@@ -183,6 +183,23 @@ TEST_F(CleanTest, ResultsOfCasesThatAreNotFoundStay) {
   EXPECT_FALSE(holds("truth/" + old_hash + ".h5"));
 }
 
+// A run of somebody's own case that was cut off, or is under way: its truth is there and no record yet.
+TEST_F(CleanTest, TheTruthOfACaseThatIsNotFoundStaysBeforeItHasRecords) {
+  Trajectory own = trajectory();
+  own.case_name = "own";
+  store.write_truth(strange_hash, own);
+  store.write_trajectory(strange_hash, own);
+  const test::Told said = clean({.yes = true});
+  EXPECT_THAT(said.err, HasSubstr("case 'own' is not found here"));
+  EXPECT_TRUE(holds("truth/" + strange_hash + ".h5"));
+  EXPECT_TRUE(holds("trajectories/" + strange_hash + ".h5"));
+  EXPECT_FALSE(holds("truth/" + old_hash + ".h5"));
+  own.case_name = "small";
+  store.write_truth(strange_hash, own);
+  clean({.yes = true});
+  EXPECT_FALSE(holds("truth/" + strange_hash + ".h5")) << "of a case that asks for another now";
+}
+
 TEST_F(CleanTest, DamagedFilesAreNamedAndGo) {
   fs::resize_file(folder / "results/trajectories" / (current + ".h5"), 700);
   written(folder / "results/records" / (damaged_hash + ".jsonl"), "{}\n");

@@ -82,17 +82,16 @@ class Survey {
 
   Verdict of(const fs::path& path, const std::string& shelf, const std::string& hash) const {
     if (const auto it = damaged_.find(path); it != damaged_.end()) return {State::damaged, it->second};
-    Verdict verdict = by_name(shelf, hash);
-    if (verdict.state == State::outdated || !path.extension().string().ends_with("h5")) return verdict;
+    const std::optional<Verdict> verdict = by_name(shelf, hash);
+    if (!path.extension().string().ends_with("h5")) return verdict.value_or(nameless());
+    if (verdict && verdict->state == State::outdated) return *verdict;
     try {
-      if (shelf == "truth")
-        store_.read_truth(hash);
-      else
-        store_.read_trajectory(hash);
+      const Trajectory held = shelf == "truth" ? store_.read_truth(hash) : store_.read_trajectory(hash);
+      if (verdict) return *verdict;
+      return held.case_name.empty() ? nameless() : judge(false, held.case_name);
     } catch (const StoreError& error) {
       return {State::damaged, error.fault()};
     }
-    return verdict;
   }
 
  private:
@@ -101,13 +100,15 @@ class Survey {
     return wanted_.knows(name) ? Verdict{State::outdated, ""} : Verdict{State::unknown, name};
   }
 
-  // Truths, and trajectories whose run has no record, do not say whose they are: kept while they may be of a case that
-  // was not found.
-  Verdict by_name(const std::string& shelf, const std::string& hash) const {
-    if (wanted_.contains(hash)) return {State::current, ""};
+  // Of truths, and of trajectories whose run has no record, nothing: the file says whose it is.
+  std::optional<Verdict> by_name(const std::string& shelf, const std::string& hash) const {
+    if (wanted_.contains(hash)) return Verdict{State::current, ""};
     if (const auto run = runs_.find(hash); run != runs_.end() && shelf != "truth") return run->second;
-    return {any_unknown_ ? State::unknown : State::outdated, ""};
+    return std::nullopt;
   }
+
+  // What does not say whose it is: kept while it may be of a case that was not found.
+  Verdict nameless() const { return {any_unknown_ ? State::unknown : State::outdated, ""}; }
 
   Store store_;
   const Wanted& wanted_;

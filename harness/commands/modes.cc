@@ -62,10 +62,9 @@ struct Beside {
 VectorXd bars(const Modes& modes, const VectorXd& omega_of_other, double bar_per_distance, Index count) {
   VectorXd all = VectorXd::Zero(count);
   for (Index i = modes.n_rigid; i < count; ++i) {
-    const double omega = modes.omega[i];
-    all[i] = i < omega_of_other.size()
-                 ? bar_per_distance * std::abs(omega_of_other[i] - omega) + rounding_of_frequency(modes, omega) * omega
-                 : std::numeric_limits<double>::infinity();
+    const double omega = modes.omega[i], off = std::abs(omega_of_other[i - modes.n_rigid] - omega);
+    all[i] = std::isnan(off) ? std::numeric_limits<double>::infinity()
+                             : bar_per_distance * off + rounding_of_frequency(modes, omega) * omega;
   }
   return all;
 }
@@ -79,22 +78,28 @@ Told told(const Scene& scene, const Body& body, const FullModel& full, const Mod
   return {modes, count, multiplicities(modes), polynomial_degrees(full, Phi), shares, bar};
 }
 
-VectorXd frequencies(const Scene& scene, const Body& body, int most) {
-  const auto full = full_model(scene, body, body.resolution, modes_of_a_mesh);
-  const Index n_rigid = full->system().R.cols(), count = std::min<Index>(most, full->system().u0.size());
-  return lowest_modes(full->system(), static_cast<int>(std::max<Index>(0, count - n_rigid)), physical_shift(body))
-      .omega;
+// The lowest modes of a body on its mesh, rigid ones among `most`.
+struct Solved {
+  std::shared_ptr<const FullModel> full;
+  Modes modes;
+  SeenModes seen(const Scene& scene, const Body& body) const {
+    return seen_modes(*full, evaluation_points(scene, body).volume, modes);
+  }
+};
+Solved solved(const Scene& scene, const Body& body, int most) {
+  const std::shared_ptr<const FullModel> full = full_model(scene, body, body.resolution, modes_of_a_mesh);
+  const System& system = full->system();
+  const Index count = std::min<Index>(most, system.u0.size()), n_rigid = system.R.cols();
+  return {full, lowest_modes(system, static_cast<int>(std::max<Index>(0, count - n_rigid)), physical_shift(body))};
 }
 
 Told computed(const Scene& scene, const Body& body, const Beside& beside, int most) {
-  const VectorXd omega_of_other = frequencies(scene, beside.body, most);
-  const auto full = full_model(scene, body, body.resolution, modes_of_a_mesh);
-  const System& system = full->system();
-  const Index n = system.u0.size(), n_rigid = system.R.cols();
-  const Index count = std::min<Index>(most, n);
-  const int n_elastic = static_cast<int>(std::max<Index>(0, count - n_rigid));
-  const Modes modes = lowest_modes(system, n_elastic, physical_shift(body));
-  return told(scene, body, *full, modes, count, bars(modes, omega_of_other, beside.bar_per_distance, count));
+  const SeenModes other = solved(scene, beside.body, most + more_of_other).seen(scene, beside.body);
+  const Solved own = solved(scene, body, most);
+  const Index count = std::min<Index>(most, own.full->system().u0.size());
+  const VectorXd omega_of_other = in_order_of(own.seen(scene, body), other).omega;
+  return told(scene, body, *own.full, own.modes, count,
+              bars(own.modes, omega_of_other, beside.bar_per_distance, count));
 }
 
 std::string degree_text(int degree) {
@@ -116,7 +121,8 @@ void print_table(const Told& all, std::ostream& out) {
   }
   fmt::print(
       out,
-      "\n+-: twice the distance to the frequency on the truth's finer mesh (once, to the coarser, where the body has "
+      "\n+-: twice the distance to the frequency of what moves alike on the truth's finer mesh (once, to the coarser, "
+      "where the body has "
       "that itself), and rounding\ndegree: the least of a polynomial displacement in x, y, z, as the supports admit "
       "it, that holds {:g} % of the mode's M norm squared\nx, y, z: participation, the effective modal mass along the "
       "axis as a share "

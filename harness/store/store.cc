@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +19,9 @@
 namespace mb {
 
 namespace {
+
+constexpr std::pair<const char*, const char*> shelves[] = {
+    {"trajectories", ".h5"}, {"truth", ".h5"}, {"records", ".jsonl"}, {"timings", ".jsonl"}, {"findings", ".json"}};
 
 std::string lines_of(const std::vector<Record>& records) {
   std::string lines;
@@ -87,14 +92,18 @@ void Store::require_writable() const {
   const std::filesystem::path probe = directory_ / fmt::format("probe.{}", ::getpid());
   write_file(probe, "");
   remove_file(probe);
+  for (const auto& [shelf, ending] : shelves) {
+    const std::filesystem::path folder = directory_ / shelf;
+    std::error_code error;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(folder, error))) continue;
+    if (!std::filesystem::is_directory(folder, error))
+      throw StoreError(folder, "no folder, where one belongs; remove it");
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) throw StoreError(folder, std::strerror(errno));
+  }
 }
 
 void Store::require_room(const std::string& hash) const {
-  for (const auto& [shelf, ending] : {std::pair{"trajectories", ".h5"},
-                                      {"truth", ".h5"},
-                                      {"records", ".jsonl"},
-                                      {"timings", ".jsonl"},
-                                      {"findings", ".json"}}) {
+  for (const auto& [shelf, ending] : shelves) {
     const std::filesystem::path path = file(shelf, hash, ending);
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) throw StoreError(path, "a folder is in the way; remove it");

@@ -12,6 +12,7 @@
 namespace mb {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -239,6 +240,22 @@ TEST(Store, APlaceThatCannotBeWrittenIsTold) {
   EXPECT_THROW(store.write_trajectory(low, trajectory(1)), StoreError);
   EXPECT_THROW(store.write_records(low, {record(low, 1)}), StoreError);
   EXPECT_THROW(store.rebuild_results(), StoreError);
+}
+
+// Before hours are spent: a file where a shelf belongs, or what leads nowhere.
+TEST(Store, AShelfThatIsNoFolderIsToldBeforeTheWork) {
+  const ScratchFolder folder;
+  const Store store(folder.path());
+  store.write_truth(low, trajectory(1));
+  EXPECT_NO_THROW(store.require_writable());
+  for (const char* shelf : {"findings", "records"}) {
+    write_file(folder / shelf, "x");
+    EXPECT_THAT([&] { store.require_writable(); },
+                ThrowsMessage<StoreError>(AllOf(HasSubstr(shelf), HasSubstr("no folder, where one belongs"))));
+    remove_file(folder / shelf);
+  }
+  std::filesystem::create_symlink("nowhere", folder / "timings");
+  EXPECT_THROW(store.require_writable(), StoreError);
 }
 
 }  // namespace

@@ -146,6 +146,7 @@ Hdf5Content content_of(const Trajectory& trajectory) {
                     {"solves", work.solves},
                     {"load_evaluations", work.load_evaluations}};
   content.texts = {{"format", format}, {"layout", layout}, {"status", to_string(trajectory.status)}};
+  if (!trajectory.case_name.empty()) content.texts["case"] = trajectory.case_name;
   content.matrices["t"] = {trajectory.t, "s"};
   for (std::size_t k = 0; k < trajectory.bodies.size(); ++k) {
     const MatrixXd &displacement = trajectory.bodies[k].displacement, &strain = trajectory.bodies[k].strain;
@@ -181,6 +182,7 @@ Trajectory trajectory_of(const Hdf5Content& content) {
   trajectory.t = t.col(0);
   if (!ascends(trajectory.t)) throw std::runtime_error("'t' does not ascend");
   trajectory.status = status_from(find(content.texts, "status"));
+  if (const auto named = content.texts.find("case"); named != content.texts.end()) trajectory.case_name = named->second;
   trajectory.work = {.steps = count("steps", any),
                      .rejected = count("rejected", any),
                      .factorisations = count("factorisations", any),

@@ -4,8 +4,8 @@
 //   (bodyK_displacement) or as amplitudes[n_t, rank] x shapes[rank, values], cut at 1e-12 of the largest singular value
 // and of bodies in contact their contact history (contact_content.h)
 //
-// Work counts and status are attributes of the root, and so are the run whose answer it is, where it is stored under
-// one, and a checksum of all other content, both compared on reading.
+// Work counts and status are attributes of the root, and so are the case's name, where it is known, the run whose
+// answer it is, where it is stored under one, and a checksum of all other content, the last two compared on reading.
 #pragma once
 
 #include <filesystem>

@@ -38,10 +38,12 @@ void alter(const std::filesystem::path& file, Alter&& alteration) {
 
 TEST(TrajectoryFile, ComesBackWithinTheStatedTolerance) {
   const ScratchFolder folder;
-  const Trajectory before = example();
+  Trajectory before = example();
+  before.case_name = "beam";
   write_trajectory(folder / "a.h5", before);
   const Trajectory after = read_trajectory(folder / "a.h5");
   EXPECT_EQ(after.t, before.t);
+  EXPECT_EQ(after.case_name, "beam");
   EXPECT_EQ(after.status, Status::too_many_steps);
   EXPECT_EQ(after.work.steps, 1);
   EXPECT_EQ(after.work.load_evaluations, 5);

@@ -196,9 +196,11 @@ class CaseRun {
       std::ranges::move(grader.marks_of_steps(record, answer, closed->simulate({.t = answer.t}), closed->load_error()),
                         std::back_inserter(records));
     if (limit != Limit::kept) name_unstable(records, limit);
-    if (is_answer(answer, records))
-      store_.write_trajectory(record.run,
-                              thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate)));
+    if (is_answer(answer, records)) {
+      Trajectory kept = thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate));
+      kept.case_name = scene_->name;
+      store_.write_trajectory(record.run, kept);
+    }
     if (record.run == base(truth_contenders(*scene_).front()).run)
       std::ranges::copy(grader.truth_marks(record), std::back_inserter(records));
     if (record.contender.integrator == "exact")

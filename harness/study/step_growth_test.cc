@@ -83,6 +83,21 @@ TEST(StepGrowth, OfAMeshIsThatOfItsHighestMode) {
   }
 }
 
+// The lowest mode of a damped mesh without damping of its own: explicit Euler grows in it, by (1 + x^2)^(n/2), at steps
+// at which the highest decays.
+TEST(StepGrowth, OfAMeshSeesSingleModesDampedLessThanTheRest) {
+  System system = lumped_box({0, 1e-3});
+  system.M = system.lumped_mass;
+  const EigenPairs all = generalized_eigen(MatrixXd(system.K), MatrixXd(system.M)).value();
+  const double omega_1 = std::sqrt(all.values(6)), omega_n = std::sqrt(all.values.tail(1)(0));
+  const double h = 0.5 * 2 / (1e-3 * omega_n * omega_n);  // half the limit of the highest mode, which damps it away
+  EXPECT_LE(predicted_growth(of({system}), "explicit-euler", h, 10), 1 + 1e-9);
+  system.modal_damping = {MatrixXd(system.M * all.vectors.col(6)), VectorXd{{-1e-3 * all.values(6)}}};
+  const double x = omega_1 * h, grown = std::pow(1 + x * x, 0.5 * 10 / h);
+  EXPECT_NEAR(std::log(predicted_growth(of({system}), "explicit-euler", h, 10)) / std::log(grown), 1, 1e-6);
+  EXPECT_GT(grown, 1.1);
+}
+
 // Of which only that there is one is asked.
 class Energy final : public StoredEnergy {
   double energy(const VectorXd&) const override { return 0; }

@@ -48,6 +48,7 @@ class TruthRuns {
     if (job.result->status != Status::ok)
       throw std::runtime_error(fmt::format("the truth of {} on {} at rtol {:.0e} failed: {}", scene_->name,
                                            to_string(job.resolution), job.tolerance, to_string(job.result->status)));
+    job.result->case_name = scene_->name;
     write(hash, *job.result);
     // What is stored is cut at 1e-12 (trajectory_file.h): whoever computed it goes on with what all others read.
     if (auto stored = read(hash)) *job.result = std::move(*stored);
