@@ -31,7 +31,7 @@ function(mb_find_library name header)
   endforeach()
 endfunction()
 mb_find_library(cholmod cholmod.h LIBRARIES cholmod openblas SUFFIXES suitesparse)
-# METIS 5.1 takes signals for itself (harness/metis_signals.cc); that of SuiteSparse 7 does not.
+# METIS 5.1 takes signals for itself (harness/metis_signals_main.cc); that of SuiteSparse 7 does not.
 include(CheckLibraryExists)
 check_library_exists(metis gk_sigtrap "" MODALBENCH_METIS_TAKES_SIGNALS)
 mb_find_library(umfpack umfpack.h LIBRARIES umfpack SUFFIXES suitesparse)

@@ -109,6 +109,13 @@ std::vector<pid_t> Process::children() const {
   return found;
 }
 
+bool Process::handles(int signal) const {
+  std::ifstream status(std::filesystem::path("/proc") / std::to_string(process_) / "status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("SigCgt:")) return std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1;
+  return false;
+}
+
 bool is_running(pid_t process) { return std::string_view("?ZX").find(state_of(process).letter) == std::string::npos; }
 
 std::string Process::out() const { return content(out_); }

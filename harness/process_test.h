@@ -28,6 +28,7 @@ class Process {
   double most_memory();                  // waits; [byte] resident at the peak
   std::string out() const, err() const;
   std::vector<pid_t> children() const;  // that it has forked and that run now
+  bool handles(int signal) const;       // by a function of its own, no longer by what the system has it do
 
  private:
   bool reap(int options);  // whether it has ended

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <regex>
 
 #include "harness/faults_test.h"
 #include "harness/interruptible.h"
@@ -67,7 +68,8 @@ TEST(SignalCases, WhatStoresNothingEndsAtOnce) {
     const std::string finer = "degree = 3, cells = [1, 2]";
     written(scratch / "case.toml", words.replace(words.find(finer), finer.size(), "degree = 4, cells = [2, 8]"));
     Process process(scratch.path(), {"modes", "case.toml", "--count", "300"});
-    ASSERT_FALSE(process.ends_within(0.5)) << process.err();
+    while (!process.ends_within(0.01) && !process.handles(signal)) continue;
+    ASSERT_FALSE(process.ends_within(0.3)) << process.err();
     process.send(signal);
     EXPECT_TRUE(process.ends_within(10));
     EXPECT_EQ(process.code(), 130) << process.err();
@@ -75,19 +77,23 @@ TEST(SignalCases, WhatStoresNothingEndsAtOnce) {
   }
 }
 
-// METIS, which orders large matrices, would take SIGTERM for itself: at any time of a run's first seconds it ends it.
-TEST(SignalCases, WhileMatricesAreOrderedASignalEndsWhatItShould) {
-  for (const double after : {0.7, 1.2, 1.7, 2.2, 2.7, 3.2}) {
+// METIS, which orders large matrices, would take SIGTERM for itself, and crash by it. While it works SIGABRT is its
+// own.
+TEST(SignalCases, WhileMetisOrdersAMatrixASignalEndsTheRunAllTheSame) {
+  for (const int signal : {SIGTERM, SIGINT}) {
     const ScratchFolder scratch;
-    std::string words = small_case();
-    const std::string finer = "degree = 3, cells = [1, 2]";
-    written(scratch / "case.toml", words.replace(words.find(finer), finer.size(), "degree = 3, cells = [8, 16]"));
+    ASSERT_EQ(Process(scratch.path(), {"new", "case.toml"}).code(), 0);
+    const std::string words = text(scratch / "case.toml");
+    written(scratch / "case.toml",
+            std::regex_replace(words, std::regex("\nfiner = [^\n]*"), "\nfiner = { degree = 2, cells = [8, 8, 16] }"));
     Process process(scratch.path(), run);
-    ASSERT_FALSE(process.ends_within(after)) << process.err();
-    process.send(SIGTERM);
-    EXPECT_TRUE(process.ends_within(Interruptible::patience + 10)) << after;
-    EXPECT_EQ(process.code(), 130) << after << process.err();
-    EXPECT_THAT(process.err(), HasSubstr("interrupted; what is finished is kept")) << after;
+    const auto large_is_begun = [&] { return process.err().find("rtol 1e-08") != std::string::npos; };
+    while (!process.ends_within(0.001) && !(large_is_begun() && process.handles(SIGABRT))) continue;
+    ASSERT_FALSE(process.ends_within(0)) << "no METIS of its own signals was at work: " << process.err();
+    process.send(signal);
+    EXPECT_TRUE(process.ends_within(Interruptible::patience + 10));
+    EXPECT_EQ(process.code(), 130) << signal << process.err();
+    EXPECT_THAT(process.err(), HasSubstr("interrupted; what is finished is kept")) << signal;
   }
 }
 

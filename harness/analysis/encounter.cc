@@ -73,7 +73,8 @@ LayerImpact layer_impact(const Encounter& encounter, double factor) {
   }
   const double g = std::cbrt(1.5 * size.curvature * m * v * v / (pi * k));
   constexpr double of_cubic = 1.4021821053254548;  // sqrt(pi) Gamma(4/3)/Gamma(5/6)
-  return {k, std::max(size.radius, std::sqrt(2 * g / size.curvature)), std::max(size.duration, 2 * of_cubic * g / v)};
+  const double a = std::min(std::sqrt(2 * g / size.curvature), 1 / size.curvature);
+  return {k, std::max(size.radius, a), std::max(size.duration, 2 * of_cubic * g / v)};
 }
 
 PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, const LayerImpact& impact) {

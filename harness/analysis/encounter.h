@@ -22,7 +22,7 @@ Encounter first_encounter(const Scene& scene);
 // of rigid ones on the layer alone, whichever is wider and longer:
 //
 //   flat    T = pi sqrt(m/(k A))
-//   round   m v^2/2 = pi k g^3/(3 c),   a^2 = 2 g/c,   T = 2 g/v int_0^1 dx/sqrt(1 - x^3),   c the curvature
+//   round   m v^2/2 = pi k g^3/(3 c),   a^2 = 2 g/c <= 1/c^2,   T = 2 g/v int_0^1 dx/sqrt(1 - x^3),   c the curvature
 struct LayerImpact {
   double stiffness;  // k [Pa/m]
   double radius;     // a [m] of the contact
