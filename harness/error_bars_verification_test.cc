@@ -128,8 +128,8 @@ TEST_P(FrequenciesVerification, KeepToTheirBarsOnAMeshThatIsFinerStill) {
   const int more = at.n_modes + more_of_other;
   SeenModes own = modes_on(own_meshes(scene), at.n_modes);
   own.omega.conservativeResize(at.n_modes), own.shapes.conservativeResize(Eigen::NoChange, at.n_modes);
-  const VectorXd finer = in_order_of(own, modes_on(meshes, more)).omega;
-  const VectorXd exact = in_order_of(own, modes_on(at.mesh, more)).omega;
+  const VectorXd finer = paired_frequencies(own, modes_on(meshes, more));
+  const VectorXd exact = paired_frequencies(own, modes_on(at.mesh, more));
   const VectorXd off = (own.omega - exact).cwiseAbs().cwiseQuotient(bar_per_distance * (own.omega - finer).cwiseAbs());
   const double worst = off.maxCoeff();
   EXPECT_TRUE(off.allFinite()) << "a mode that another mesh has not: " << off.transpose();

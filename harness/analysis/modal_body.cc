@@ -65,27 +65,20 @@ ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolu
 
 SeenModes seen_modes(const FullModel& full, const Quadrature& volume, const Modes& modes) {
   const VectorXd omega = modes.omega.tail(modes.size() - modes.n_rigid);
-  return {omega, without_rounding(omega, damping_ratios(full.system(), modes)),
-          seen_at(full, volume, modes.Phi.rightCols(omega.size()))};
+  return {omega, seen_at(full, volume, modes.Phi.rightCols(omega.size()))};
 }
 
 SeenModes seen_modes(const ModalBody& body) {
   return seen_modes(*body.model.full, body.model.points.volume, body.modes);
 }
 
-SeenModes in_order_of(const SeenModes& own, const SeenModes& other) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
+VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other) {
   const ModePairs pairs = mode_pairs(own.shapes, other.shapes);
-  const Index n = own.omega.size();
-  SeenModes ordered{VectorXd::Constant(n, none), VectorXd::Constant(n, none),
-                    MatrixXd::Constant(other.shapes.rows(), n, none)};
-  for (Index i = 0; i < n; ++i) {
-    const Index j = farthest(own.omega[i], other.omega, pairs[static_cast<size_t>(i)]);
-    if (j < 0) continue;
-    ordered.omega[i] = other.omega[j], ordered.zeta[i] = other.zeta[j];
-    ordered.shapes.col(i) = other.shapes.col(j);
-  }
-  return ordered;
+  VectorXd omega = VectorXd::Constant(own.omega.size(), std::numeric_limits<double>::quiet_NaN());
+  for (Index i = 0; i < omega.size(); ++i)
+    if (const Index j = farthest(own.omega[i], other.omega, pairs[static_cast<size_t>(i)]); j >= 0)
+      omega[i] = other.omega[j];
+  return omega;
 }
 
 AnotherMesh another_mesh(const Scene& scene) {

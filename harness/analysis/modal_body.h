@@ -37,14 +37,13 @@ ModalBody modal_body(const AnalysisContext& context, int n_elastic);
 ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolution& meshes);
 // Elastic modes as other meshes may be held against them.
 struct SeenModes {
-  VectorXd omega, zeta;  // [rad/s]; [-] without_rounding
-  MatrixXd shapes;       // seen_at (mode_pairs.h)
+  VectorXd omega;   // [rad/s]
+  MatrixXd shapes;  // seen_at (mode_pairs.h)
 };
 SeenModes seen_modes(const ModalBody& body);
 SeenModes seen_modes(const FullModel& full, const Quadrature& volume, const Modes& modes);
-// The other mesh's in the order of the own's: of each its pair, the farthest in frequency where there are several; NaN
-// where it has none.
-SeenModes in_order_of(const SeenModes& own, const SeenModes& other);
+// [rad/s] Of every own mode that of its pair, the farthest where there are several; NaN where it has none.
+VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other);
 
 // What tells how far numbers of the own mesh are off: the truth's `finer`. Where the error of that is half of the own's
 // at most, |own - exact| <= 2 |own - finer|; where the own is `finer`, |own - exact| <= |own - coarser| likewise. What

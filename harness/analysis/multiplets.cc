@@ -112,7 +112,7 @@ std::vector<Finding> multiplets(const AnalysisContext& context) {
   const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
   const SeenModes other = seen_modes(modal_body(context, most + more_of_other, meshes));
   const ModalBody body = modal_body(context, most);  // last: the context has one model at a time
-  const VectorXd on_another_mesh = in_order_of(seen_modes(body), other).omega;
+  const VectorXd on_another_mesh = paired_frequencies(seen_modes(body), other);
   System undamped = body.system;
   if (undamped.M.rows() > largest_dense)
     throw std::invalid_argument(

@@ -31,8 +31,20 @@ struct Subject {
   VectorXd rounding;                   // [-] of omega, relative
 };
 
-// other: elastic modes of another mesh, in the order of the body's own.
-Subject reduced_subject(const ModalBody& body, int r, const SeenModes& other, double bar_per_distance) {
+// Elastic modes of another mesh.
+struct Beside {
+  VectorXd omega, zeta;
+  double bar_per_distance;
+};
+Beside beside(const AnalysisContext& context, int n_elastic) {
+  const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
+  const ModalBody body = modal_body(context, n_elastic, meshes);
+  const Index n = body.modes.size() - body.modes.n_rigid;
+  return {body.modes.omega.tail(n), without_rounding(body.modes.omega.tail(n), damping_ratios(body.system, body.modes)),
+          bar_per_distance};
+}
+
+Subject reduced_subject(const ModalBody& body, int r, const Beside& other) {
   const Modes modes = leading(body.modes, r);
   const Index n_rigid = modes.n_rigid, n = modes.size() - n_rigid;
   System system = project(body.system, modes);
@@ -43,7 +55,7 @@ Subject reduced_subject(const ModalBody& body, int r, const SeenModes& other, do
     return SteppedMode{omega(i), zeta(i), e, e};
   };
   const long most_steps = 200000 / (20 + n);  // as much work for many modes as for few
-  const Index known = std::min(n, other.zeta.size());
+  const Index known = std::min(n, other.omega.size());
   return {"reduced",
           static_cast<double>(n),
           std::move(system),
@@ -53,7 +65,7 @@ Subject reduced_subject(const ModalBody& body, int r, const SeenModes& other, do
           most_steps,
           other.omega.head(known),
           other.zeta.head(known),
-          bar_per_distance,
+          other.bar_per_distance,
           omega.unaryExpr([&](double each) { return rounding_of_frequency(modes, each); })};
 }
 
@@ -61,10 +73,11 @@ Subject reduced_subject(const ModalBody& body, int r, const SeenModes& other, do
 Subject full_subject(const std::string& name, const ModalBody& body, System run, const System& seen) {
   const SteppedMode top = highest_mode(seen);
   const Modes& low = body.modes;
-  const Index n = low.size() - low.n_rigid;
+  // Those of the consistent mass which are above the highest of the mass that is stepped with are none of its modes.
+  const Index n = (low.omega.tail(low.size() - low.n_rigid).array() <= top.omega).count();
   VectorXd omega(n + 1), zeta(n + 1);
-  omega << low.omega.tail(n), top.omega;
-  zeta << damping_ratios(body.system, low), top.zeta;
+  omega << low.omega.segment(low.n_rigid, n), top.omega;
+  zeta << damping_ratios(body.system, low).head(n), top.zeta;
   zeta = without_rounding(omega, zeta);
   const auto mode = [n, top](Index i) { return i == n ? std::optional(top) : std::nullopt; };
   return {name, nan, std::move(run), omega, zeta, mode, 200, {}, {}, nan, {}};
@@ -191,7 +204,7 @@ struct RelativeBars {
   double frequency = nan, limit = nan;
 };
 RelativeBars relative_bars(const Scheme& scheme, const Subject& s, Index i) {
-  if (i >= s.omega_beside.size() || std::isnan(s.omega_beside(i))) return {};
+  if (i >= s.omega_beside.size()) return {};
   const double limit = limit_of_mode(scheme, s.omega(i), s.zeta(i));
   const double beside = limit_of_mode(scheme, s.omega_beside(i), s.zeta_beside(i));
   return {s.bar_per_distance * std::abs(s.omega_beside(i) / s.omega(i) - 1) + s.rounding(i),
@@ -249,14 +262,12 @@ void expect_modes_apart(const ModalBody& body) {
 
 std::vector<Finding> step_limits(const AnalysisContext& context) {
   const std::vector<int> counts = mode_counts(context);
-  const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
-  const SeenModes on_another = seen_modes(modal_body(context, counts.back() + more_of_other, meshes));
+  const Beside other = beside(context, counts.back());
   const ModalBody body = modal_body(context, counts.back());  // last: the context has one model at a time
-  const SeenModes other = in_order_of(seen_modes(body), on_another);
   expect_modes_apart(body);
   std::vector<Subject> subjects;
   for (const int r : counts) {
-    subjects.push_back(reduced_subject(body, r, other, bar_per_distance));
+    subjects.push_back(reduced_subject(body, r, other));
     const size_t n = subjects.size();
     if (n > 1 && subjects[n - 1].r == subjects[n - 2].r) subjects.pop_back();  // one multiplet, or no more modes
   }

@@ -97,7 +97,7 @@ Told computed(const Scene& scene, const Body& body, const Beside& beside, int mo
   const SeenModes other = solved(scene, beside.body, most + more_of_other).seen(scene, beside.body);
   const Solved own = solved(scene, body, most);
   const Index count = std::min<Index>(most, own.full->system().u0.size());
-  const VectorXd omega_of_other = in_order_of(own.seen(scene, body), other).omega;
+  const VectorXd omega_of_other = paired_frequencies(own.seen(scene, body), other);
   return told(scene, body, *own.full, own.modes, count,
               bars(own.modes, omega_of_other, beside.bar_per_distance, count));
 }
