@@ -34,6 +34,9 @@ mb_find_library(cholmod cholmod.h LIBRARIES cholmod openblas SUFFIXES suitespars
 # METIS 5.1 takes signals for itself (harness/metis_signals_main.cc); that of SuiteSparse 7 does not.
 include(CheckLibraryExists)
 check_library_exists(metis gk_sigtrap "" MODALBENCH_METIS_TAKES_SIGNALS)
+if(NOT MODALBENCH_METIS_TAKES_SIGNALS)
+  message(STATUS "No METIS that takes signals by -lmetis: SIGTERM is taken to be left alone")
+endif()
 mb_find_library(umfpack umfpack.h LIBRARIES umfpack SUFFIXES suitesparse)
 mb_find_library(arpack arpack/arpack.hpp LIBRARIES arpack)
 # Headers alone: its package file would bring flags of its own, and GMP, which boxes do without.

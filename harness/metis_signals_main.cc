@@ -2,9 +2,8 @@
 // where it fails; a SIGTERM from outside then jumps out of any thread, or is lost. Its two functions in this program's
 // version, which the loader prefers to the library's: SIGABRT alone, which it raises where memory ends, is trapped, and
 // SIGTERM stays what interruptible.h makes of it.
-#include <array>
 #include <csignal>
-#include <cstddef>
+#include <mutex>
 
 extern "C" {
 
@@ -17,22 +16,31 @@ int gk_siguntrap();
 
 namespace {
 
-using Handler = void (*)(int);
-thread_local std::array<Handler, 128> before;
+// A handler is of the whole process, and two threads may be in METIS at once.
+std::mutex mutex;
+int n_trapping = 0;
+void (*before)(int) = SIG_DFL;
+
+// Of an abort outside METIS nothing is made: it ends the program when this returns.
+void on_abort(int signal) {
+  if (gk_cur_jbufs >= 0) gk_sigthrow(signal);
+}
 
 }  // namespace
 
 int gk_sigtrap() {
-  const auto next = static_cast<std::size_t>(gk_cur_jbufs + 1);
-  if (next >= before.size()) return 0;
+  constexpr int most_nested = 128;  // METIS's own bound
+  if (gk_cur_jbufs + 1 >= most_nested) return 0;
   ++gk_cur_jbufs;
-  before[next] = std::signal(SIGABRT, gk_sigthrow);
+  const std::lock_guard lock(mutex);
+  if (n_trapping++ == 0) before = std::signal(SIGABRT, on_abort);
   return 1;
 }
 
 int gk_siguntrap() {
   if (gk_cur_jbufs < 0) return 0;
-  std::signal(SIGABRT, before[static_cast<std::size_t>(gk_cur_jbufs)]);
   --gk_cur_jbufs;
+  const std::lock_guard lock(mutex);
+  if (--n_trapping == 0) std::signal(SIGABRT, before);
   return 1;
 }

@@ -116,6 +116,8 @@ bool Process::handles(int signal) const {
   return false;
 }
 
+bool metis_takes_signals() { return MB_METIS_TAKES_SIGNALS; }
+
 bool is_running(pid_t process) { return std::string_view("?ZX").find(state_of(process).letter) == std::string::npos; }
 
 std::string Process::out() const { return content(out_); }

@@ -40,6 +40,8 @@ class Process {
   bool ended_ = false;
 };
 
+bool metis_takes_signals();  // of the program as it was built
+
 bool is_running(pid_t process);  // there, and not dead and merely not waited for
 
 }  // namespace mb

@@ -75,9 +75,10 @@ SeenModes seen_modes(const ModalBody& body) {
 VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other) {
   const ModePairs pairs = mode_pairs(own.shapes, other.shapes);
   VectorXd omega = VectorXd::Constant(own.omega.size(), std::numeric_limits<double>::quiet_NaN());
-  for (Index i = 0; i < omega.size(); ++i)
-    if (const Index j = farthest(own.omega[i], other.omega, pairs[static_cast<size_t>(i)]); j >= 0)
-      omega[i] = other.omega[j];
+  for (Index i = 0; i < omega.size(); ++i) {
+    const Index pair = farthest(own.omega[i], other.omega, pairs[static_cast<size_t>(i)]), j = pair >= 0 ? pair : i;
+    if (j < other.omega.size()) omega[i] = other.omega[j];
+  }
   return omega;
 }
 

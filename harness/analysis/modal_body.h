@@ -42,7 +42,8 @@ struct SeenModes {
 };
 SeenModes seen_modes(const ModalBody& body);
 SeenModes seen_modes(const FullModel& full, const Quadrature& volume, const Modes& modes);
-// [rad/s] Of every own mode that of its pair, the farthest where there are several; NaN where it has none.
+// [rad/s] Of every own mode that of its pair, the farthest where there are several, or of the same place where none
+// moves alike; NaN where the other has fewer modes.
 VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other);
 
 // What tells how far numbers of the own mesh are off: the truth's `finer`. Where the error of that is half of the own's

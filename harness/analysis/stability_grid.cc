@@ -98,7 +98,7 @@ StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, dou
   cell.predicted = prediction(cell.radius, n_steps);
   cell.energy = largest_energy(mapped, integrator, dt, n_steps);
   if (!(cell.energy <= energy_bound)) {
-    cell.at_limit = is_bounded && is_at_limit(mapped.modes, *scheme, dt);
+    cell.at_limit = scheme && cell.predicted != StepClass::unstable && is_at_limit(mapped.modes, *scheme, dt);
     return cell;
   }
   cell.error = error_of_steps(mapped, integrator, dt);

@@ -47,7 +47,7 @@ struct StepCell {
   double error;   // [-] NaN where unstable
   StepClass found;
   std::optional<StepClass> predicted;  // whether unstable, else stable; none: unknown, or growth too slow to be seen
-  bool at_limit;                       // unstable although rho <= 1, and rho passes 1 within `near_limit` of the step
+  bool at_limit;  // unstable although not so by rho, which passes 1 within `near_limit` of the step
 };
 StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps);
 

@@ -77,21 +77,25 @@ Index first_of(const Finding& finding, std::size_t j, const ElasticPairs& elasti
   return finding.columns[j].name == "mode" ? 1 : 1 + elastic.n_rigid;
 }
 
-// Rows of that mode, in their order, whose texts are those of `row`.
+// Rows of that mode, in their order, of which what stands before it is as in `row`; a running count is not.
 std::vector<std::size_t> rows_of(const Finding& finding, std::size_t j, double mode,
                                  const std::vector<FindingCell>& row) {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < finding.rows.size(); ++i) {
     const auto& one = finding.rows[i];
     bool is_same = number(one[j]) == mode;
-    for (std::size_t k = 0; k < j; ++k) is_same = is_same && (one[k].index() != 0 || one[k] == row[k]);
+    for (std::size_t k = 0; k < j; ++k) {
+      const bool is_count = one[k].index() == 1 && finding.columns[k].unit.empty();
+      is_same = is_same && (is_count || one[k] == row[k]);
+    }
     if (is_same) all.push_back(i);
   }
   return all;
 }
 
+// The row in the same place where the other table has none of the mode's pairs.
 RowPairs of_same_modes(const Finding& finding, const Finding& other, std::size_t j, const ElasticPairs& elastic) {
-  RowPairs all(finding.rows.size());
+  RowPairs all = in_same_places(finding, other);
   const Index first = first_of(finding, j, elastic), n = std::ssize(elastic.pairs);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& row = finding.rows[i];
@@ -99,10 +103,12 @@ RowPairs of_same_modes(const Finding& finding, const Finding& other, std::size_t
     const auto own = rows_of(finding, j, mode, row);
     const auto place = static_cast<std::size_t>(std::ranges::find(own, i) - own.begin());
     if (!(mode >= static_cast<double>(first) && mode < static_cast<double>(first + n))) continue;
+    std::vector<std::size_t> found;
     for (const Index pair : elastic.pairs[static_cast<std::size_t>(mode) - static_cast<std::size_t>(first)]) {
       const auto theirs = rows_of(other, j, static_cast<double>(pair + first), row);
-      if (place < theirs.size()) all[i].push_back(theirs[place]);
+      if (place < theirs.size()) found.push_back(theirs[place]);
     }
+    if (!found.empty()) all[i] = found;
   }
   return all;
 }

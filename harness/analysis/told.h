@@ -22,7 +22,7 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
 // where one has more rows, the counts with them; else NaN. Bars that a table has of its own stay where they are larger.
 // Of a table with a column "mode", counted from the first elastic one, or "undamped mode", from the first, rows are
 // those of modes that move alike, where `elastic` says which: the largest bar of several, and of several rows of a mode
-// the one in the same place.
+// the one in the same place; rows in the same place where the other table has none of these modes.
 void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, double per_distance = 1,
               const ElasticPairs* elastic = nullptr);
 

@@ -43,10 +43,24 @@ TEST(AddBars, OfModesAreOfThoseThatMoveAlike) {
   EXPECT_EQ(found[0].bars[0][1], 2);
   EXPECT_EQ(found[0].bars[1][1], 1);
   EXPECT_EQ(found[0].bars[2][1], 6);
-  EXPECT_TRUE(std::isnan(found[0].bars[3][1]));
+  EXPECT_EQ(found[0].bars[3][1], 2) << "as by place";
   std::vector<Finding> by_place{own};
   add_bars(by_place, {other}, 2);
   EXPECT_EQ(by_place[0].bars[2][1], 5);
+}
+
+// At another frame rate other modes stand in the table: rows are of one rate.
+TEST(AddBars, OfModesAreOfOneFrameRate) {
+  Finding own = table("a", "a", "A", "", {{"frame rate", "Hz"}, {"mode", ""}, {"frequency", "Hz"}});
+  Finding other = own;
+  own.rows = {{24.0, 5.0, 20.0}, {60.0, 5.0, 20.0}};
+  other.rows = {{24.0, 4.0, 15.0}, {60.0, 5.0, 21.0}};
+  const ElasticPairs elastic{0, {{0}, {1}, {2}, {3}, {4}}};
+  std::vector<Finding> found{own};
+  add_bars(found, {other}, 1, &elastic);
+  EXPECT_EQ(found[0].bars[0][2], 5) << "none of mode 5 at 24 Hz: by place";
+  EXPECT_EQ(found[0].bars[1][2], 1);
+  EXPECT_EQ(found[0].bars[1][0], 0);
 }
 
 // Two of a pair that is rotated share both; an overdamped mode has two rows, told apart by their places.

@@ -63,6 +63,7 @@ class Wanted {
 struct Verdict {
   State state;
   std::string remark;
+  bool may_be_of_others = false;  // no record says whose it is, and truths of the same physics are one file
 };
 
 class Survey {
@@ -76,19 +77,20 @@ class Survey {
       runs_.insert({finding.run, judge(wanted_.contains(finding.run), finding.case_name)});
     for (const auto* refused : {&records.refused, &findings.refused})
       for (const RefusedLine& line : *refused) damaged_.insert({line.file, line.reason});
-    any_unknown_ =
-        std::any_of(runs_.begin(), runs_.end(), [](const auto& run) { return run.second.state == State::unknown; });
   }
 
+  // Of truths, and of trajectories whose run has no record, the file says whose it is.
   Verdict of(const fs::path& path, const std::string& shelf, const std::string& hash) const {
     if (const auto it = damaged_.find(path); it != damaged_.end()) return {State::damaged, it->second};
-    const std::optional<Verdict> verdict = by_name(shelf, hash);
-    if (!path.extension().string().ends_with("h5")) return verdict.value_or(nameless());
-    if (verdict && verdict->state == State::outdated) return *verdict;
+    Verdict verdict{State::outdated, "", true};
+    if (wanted_.contains(hash)) verdict = {State::current, ""};
+    if (const auto run = runs_.find(hash); run != runs_.end() && shelf != "truth") verdict = run->second;
+    const bool goes = verdict.state == State::outdated && !verdict.may_be_of_others;
+    if (goes || !path.extension().string().ends_with("h5")) return verdict;
     try {
       const Trajectory held = shelf == "truth" ? store_.read_truth(hash) : store_.read_trajectory(hash);
-      if (verdict) return *verdict;
-      return held.case_name.empty() ? nameless() : judge(false, held.case_name);
+      const bool is_strange = !held.case_name.empty() && !wanted_.knows(held.case_name);
+      return verdict.may_be_of_others && is_strange ? Verdict{State::unknown, held.case_name} : verdict;
     } catch (const StoreError& error) {
       return {State::damaged, error.fault()};
     }
@@ -100,21 +102,10 @@ class Survey {
     return wanted_.knows(name) ? Verdict{State::outdated, ""} : Verdict{State::unknown, name};
   }
 
-  // Of truths, and of trajectories whose run has no record, nothing: the file says whose it is.
-  std::optional<Verdict> by_name(const std::string& shelf, const std::string& hash) const {
-    if (wanted_.contains(hash)) return Verdict{State::current, ""};
-    if (const auto run = runs_.find(hash); run != runs_.end() && shelf != "truth") return run->second;
-    return std::nullopt;
-  }
-
-  // What does not say whose it is: kept while it may be of a case that was not found.
-  Verdict nameless() const { return {any_unknown_ ? State::unknown : State::outdated, ""}; }
-
   Store store_;
   const Wanted& wanted_;
   std::map<std::string, Verdict> runs_;
   std::map<fs::path, std::string> damaged_;
-  bool any_unknown_ = false;
 };
 
 // The hash of "HASH" + ending + ".XXXXXX", or nothing.
@@ -129,7 +120,9 @@ double age_of(const fs::path& path) {
   return error ? 0 : std::chrono::duration<double>(fs::file_time_type::clock::now() - written).count();
 }
 
-void take(Inventory& all, const fs::path& path, const Stamp& stamp, const Shelf& shelf, const Survey& survey) {
+// Adds to `doubtful` what may be of a case that was not found: places in `all`.
+void take(Inventory& all, const fs::path& path, const Stamp& stamp, const Shelf& shelf, const Survey& survey,
+          std::vector<std::size_t>& doubtful) {
   StoredFile file{path,         shelf.name,     path.stem(), static_cast<double>(stamp.size),
                   age_of(path), State::current, "",          stamp};
   if (const auto hash = unfinished_hash(path.filename(), shelf.ending); !hash.empty() && file.age > longest_write) {
@@ -139,6 +132,7 @@ void take(Inventory& all, const fs::path& path, const Stamp& stamp, const Shelf&
     const Verdict verdict = survey.of(path, shelf.name, file.hash);
     file.state = verdict.state;
     file.remark = verdict.remark;
+    if (verdict.may_be_of_others) doubtful.push_back(all.files.size());
   } else {
     ++all.n_strangers;
     return;
@@ -186,13 +180,18 @@ Inventory inventory(const fs::path& store, const std::vector<Scene>& scenes, con
   const Wanted wanted(scenes, catalogue);
   const Survey survey(store, wanted);
   Inventory all;
+  std::vector<std::size_t> doubtful;
   for (std::size_t i = 0; i < std::size(shelves); ++i)
     for (const auto& [path, stamp] : stamps[i]) {
       if (stamp == Stamp())
         ++all.n_strangers;
       else
-        take(all, path, stamp, shelves[i], survey);
+        take(all, path, stamp, shelves[i], survey, doubtful);
     }
+  const auto is_unknown = [](const StoredFile& file) { return file.state == State::unknown; };
+  if (std::ranges::any_of(all.files, is_unknown))
+    for (const std::size_t i : doubtful)
+      if (all.files[i].state == State::outdated) all.files[i].state = State::unknown;
   take_unfinished_results(all, store);
   std::sort(all.files.begin(), all.files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
   return all;

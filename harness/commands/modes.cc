@@ -160,8 +160,8 @@ int modes_command(const ModesOptions& options, const Catalogue& catalogue, const
   const auto [meshes, bar_per_distance] = another_mesh(scene);
   const Scene other = on_meshes(scene, meshes);
   const Beside beside{other.bodies[static_cast<size_t>(&body - scene.bodies.data())], bar_per_distance};
-  const double needed =
-      std::max(memory_of_modes(scene, body, options.count), memory_of_modes(scene, beside.body, options.count));
+  const double needed = std::max(memory_of_modes(scene, body, options.count),
+                                 memory_of_modes(scene, beside.body, options.count + more_of_other));
   try {
     require_memory(needed, available_memory());
     const Told all = computed(scene, body, beside, options.count);

@@ -2,12 +2,12 @@
 //
 //   growth = rho^n,   n = duration / h,   rho the spectral radius of one step (stability.h, one_step.h)
 //
-// rho over all modes of a reduced body, those that damping couples together; of a mesh that of its highest mode and of
-// single modes that are damped less than the stiffness would, which no other exceeds but where explicit Euler meets
-// damping of the stiffness: a lower bound. Of finite deformation it is
-// that about rest, in contact that without: what grows there may stay bounded where what swings softens, and is no
-// motion of its own all the same.
-// Above 1 the step is past its limit; how far the run shows it depends on n.
+// rho over all modes of a reduced body, those that damping couples together; of a mesh that of its highest mode, and of
+// single modes that are damped less than the stiffness would, as their shapes on the consistent mass have them. No
+// other exceeds these but where explicit Euler meets damping of the stiffness: an estimate from below. Of finite
+// deformation it is that about rest, in contact that without: what grows there may stay bounded where what swings
+// softens, and is no motion of its own all the same. Above 1 the step is past its limit; how far the run shows it
+// depends on n.
 #pragma once
 
 #include "cases/contract/linear.h"

@@ -7,7 +7,7 @@ namespace mb {
 
 namespace {
 
-constexpr double least_alike = 0.2, of_best = 0.5;  // [-] of MAC
+constexpr double least_alike = 0.05, of_best = 0.5;  // [-] of MAC
 
 }  // namespace
 

@@ -16,8 +16,8 @@ namespace mb {
 // sqrt(w) u of modes Phi (n x k) at the points of `volume`, columns of unit norm: 3 p x k.
 MatrixXd seen_at(const FullModel& full, const Quadrature& volume, const MatrixXd& Phi);
 
-// Of every column of `own` those of `other`, ascending; none where no MAC is a fifth: of a multiplet of five the best
-// is as much at least.
+// Of every column of `own` those of `other`, ascending; none where no MAC is a twentieth: of a multiplet of nine, as a
+// sphere has, the best is a ninth at least, less what the meshes differ by.
 using ModePairs = std::vector<std::vector<Index>>;
 ModePairs mode_pairs(const MatrixXd& own, const MatrixXd& other);
 
