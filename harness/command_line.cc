@@ -188,14 +188,14 @@ void add_clean(CLI::App& app, const Catalogue& catalogue, Action& action) {
       [&, options] { action = [&, options](const Console& c) { return clean_command(*options, catalogue, c); }; });
 }
 
-// Runs the action; names what went wrong and returns the exit code that says so.
-int guarded(const Action& action, const std::string& command, const Console& console) {
+// Does what the words say; names what went wrong and returns the exit code that says so.
+int guarded(const std::function<int()>& action, const std::string& command, const Console& console) {
   const auto say = [&](const std::string& what, int code) {
     fmt::print(console.err, "modalbench: {}\n", one_line(what, 4096));
     return code;
   };
   try {
-    return action(console);
+    return action();
   } catch (const CaseErrors& errors) {
     print(errors, console.err);
     return 2;
@@ -234,9 +234,7 @@ int delivered(int code, const Console& console) {
   return 2;
 }
 
-}  // namespace
-
-int harness_main(int argc, char** argv, const Catalogue& catalogue) {
+int as_told(int argc, char** argv, const Catalogue& catalogue, const Console& console) {
   CLI::App app{"Modalbench: what accuracy costs, for modal methods in elastodynamics", "modalbench"};
   app.set_version_flag("--version", std::string("modalbench ") + version, "print the version of the program and exit");
   app.require_subcommand(1);
@@ -252,16 +250,23 @@ int harness_main(int argc, char** argv, const Catalogue& catalogue) {
   add_explain(app, catalogue, action);
   add_doctor(app, action);
   add_clean(app, catalogue, action);
-  const Console console{std::cout, std::cerr};
-  std::signal(SIGXFSZ, SIG_IGN);                     // a file that may not grow further is an error like a full disk
-  if (!is_counting()) end_interrupted_on_signals();  // who counts ends by the signal itself: its parent tells
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return delivered(told(app, error, console), console);
+    return told(app, error, console);
   }
   use_one_thread();  // timed parts run on one thread on both sides
-  return delivered(guarded(action, app.get_subcommands().front()->get_name(), console), console);
+  return action(console);
+}
+
+}  // namespace
+
+int harness_main(int argc, char** argv, const Catalogue& catalogue) {
+  const Console console{std::cout, std::cerr};
+  std::signal(SIGXFSZ, SIG_IGN);                     // a file that may not grow further is an error like a full disk
+  if (!is_counting()) end_interrupted_on_signals();  // who counts ends by the signal itself: its parent tells
+  const std::string command = argc > 1 ? argv[1] : "no command";
+  return delivered(guarded([&] { return as_told(argc, argv, catalogue, console); }, command, console), console);
 }
 
 }  // namespace mb

@@ -241,8 +241,9 @@ class ThreadsCases : public ::testing::TestWithParam<Threaded> {};
 // earlier or later, 6e-11 was seen. Tables and motions hold differences and times of extremes, too, which lose two
 // digits more; steps are chosen by an error estimate of 1e-4. A box that falls flat on a stiff layer touches with one
 // sample after another, as rounding has it: the map's bars say so, and what it calls unstable may change. Of hard
-// cases, over some ten thousand steps, 5e-9 was seen; their tables hold sizes of rounding itself, but what they count
-// and say is the same.
+// cases, over some ten thousand steps, 5e-9 was seen, and 2e-8 of modes whose pairs lie 2e-4 apart, which turns them
+// into each other by so many times their rounding; their tables hold sizes of rounding itself, but what they count and
+// say is the same.
 TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRounding) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", GetParam().content);
@@ -277,7 +278,7 @@ INSTANTIATE_TEST_SUITE_P(Of, ThreadsCases,
                                            Threaded{"distorted", hard_case("distorted-mesh"), 7, true, 1e-8,
                                                     Cells::texts_and_counts},
                                            Threaded{"nearly_degenerate", hard_case("nearly-degenerate-bar"), 7, true,
-                                                    1e-8, Cells::texts_and_counts}),
+                                                    1e-7, Cells::texts_and_counts}),
                          [](const auto& of) { return of.param.name; });
 
 }  // namespace
