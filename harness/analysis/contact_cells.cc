@@ -97,7 +97,7 @@ double VariedLayer::opening_limit() const { return mb::opening_limit(pressed, en
 
 double ContactCell::error() const { return larger(of_peak, of_impulse); }
 
-double contact_step(const LayerImpact& impact, int i) { return 2 * impact.duration * std::pow(0.5, i); }
+double contact_step(const ImpactOnLayer& impact, int i) { return 2 * impact.duration * std::pow(0.5, i); }
 
 double ContactCell::bar() const { return larger(bar_of_peak, bar_of_impulse); }
 
@@ -119,7 +119,7 @@ std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const Con
   const Encounter encounter = first_encounter(*context.scene);
   std::vector<VariedLayer> all;
   for (const double factor : factors) {
-    const LayerImpact impact = layer_impact(encounter, factor);
+    const ImpactOnLayer impact = impact_on_layer(encounter, factor);
     const double T = impact.duration;
     Scene scene = thrown(*context.scene, 1, T, 8 * T);
     throw_at_least(scene, encounter, T);

@@ -14,7 +14,7 @@ namespace mb {
 struct VariedLayer {
   Encounter encounter;
   double factor;
-  LayerImpact impact;
+  ImpactOnLayer impact;
   PressedModes pressed;
   Scene scene;
   std::shared_ptr<const FloatingBases> bases, nudged;  // nudged: moving otherwise by 1e-12 of the speed
@@ -25,8 +25,8 @@ struct VariedLayer {
   double opening_limit() const;  // [s] where opening gains a tenth
 };
 
-constexpr int contact_steps_tried = 12;                 // from two durations of the contact down, by halves
-double contact_step(const LayerImpact& impact, int i);  // [s] 0 <= i < contact_steps_tried
+constexpr int contact_steps_tried = 12;                   // from two durations of the contact down, by halves
+double contact_step(const ImpactOnLayer& impact, int i);  // [s] 0 <= i < contact_steps_tried
 
 // For each factor. method: "eigenmodes" or "static-correction", of the r lowest modes.
 std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const ContactVariants& variants,

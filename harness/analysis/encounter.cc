@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "harness/analysis/layer_impact.h"
 #include "mechanics/geometry/shape.h"
 #include "mechanics/geometry/signed_distance.h"
 
@@ -64,7 +65,7 @@ Encounter first_encounter(const Scene& scene) {
   return {*met, gap(surface_met(scene, body, *met), body.pose.to_world(met->X) + flown).normal, share * mass_of(body)};
 }
 
-LayerImpact layer_impact(const Encounter& encounter, double factor) {
+ImpactOnLayer impact_on_layer(const Encounter& encounter, double factor) {
   const ContactSize& size = encounter.meeting.size;
   const double k = factor * size.stiffness, m = encounter.mass, v = size.speed;
   if (size.curvature == 0) {
@@ -72,12 +73,13 @@ LayerImpact layer_impact(const Encounter& encounter, double factor) {
     return {k, size.radius, std::max(size.duration, pi * std::sqrt(m / (k * area)))};
   }
   const double g = std::cbrt(1.5 * size.curvature * m * v * v / (pi * k));
-  constexpr double of_cubic = 1.4021821053254548;  // sqrt(pi) Gamma(4/3)/Gamma(5/6)
   const double a = std::min(std::sqrt(2 * g / size.curvature), 1 / size.curvature);
-  return {k, std::max(size.radius, a), std::max(size.duration, 2 * of_cubic * g / v)};
+  const double per_time = std::sqrt(k / m);
+  const double T = impact_on_square_law(pi / size.curvature, v / per_time, 0).duration / per_time;
+  return {k, std::max(size.radius, a), std::max(size.duration, T)};
 }
 
-PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, const LayerImpact& impact) {
+PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, const ImpactOnLayer& impact) {
   const Scene& scene = *variants.body().scene_model.scene;
   const auto& [meeting, normal, mass] = encounter;
   PressedModes all = modes_at(variants, 0, meeting.X, normal, r);

@@ -22,16 +22,16 @@ Encounter first_encounter(const Scene& scene);
 // of rigid ones on the layer alone, whichever is wider and longer:
 //
 //   flat    T = pi sqrt(m/(k A))
-//   round   m v^2/2 = pi k g^3/(3 c),   a^2 = 2 g/c <= 1/c^2,   T = 2 g/v int_0^1 dx/sqrt(1 - x^3),   c the curvature
-struct LayerImpact {
+//   round   m v^2/2 = pi k g^3/(3 c),   a^2 = 2 g/c <= 1/c^2,   T by impact_on_square_law,   c the curvature
+struct ImpactOnLayer {
   double stiffness;  // k [Pa/m]
   double radius;     // a [m] of the contact
   double duration;   // T [s]
 };
-LayerImpact layer_impact(const Encounter& encounter, double factor);
+ImpactOnLayer impact_on_layer(const Encounter& encounter, double factor);
 
 // The first r elastic modes of both bodies and their rigid ones, kappa = k pi a^2.
-PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, const LayerImpact& impact);
+PressedModes pressed(const ContactVariants& variants, const Encounter& encounter, int r, const ImpactOnLayer& impact);
 
 // What static shapes of both bodies add to the compliance of that area, in balance as they are with the force on it:
 //

@@ -31,7 +31,7 @@ Scene ball_on_floor() {
 // The layer at the first touch in series with static shapes, or not.
 struct Touched {
   PressedModes pressed_by(const std::string& method) const {
-    const LayerImpact impact = layer_impact(encounter, 1);
+    const ImpactOnLayer impact = impact_on_layer(encounter, 1);
     PressedModes found = pressed(variants, encounter, 8, impact);
     found.yields = static_yields(*variants.bases(*scene, {method, 8, 2e-4}), encounter, impact.radius);
     return found;
@@ -53,12 +53,12 @@ struct Touched {
 TEST(Encounter, ASoftLayerMakesTheImpactLongerAndWider) {
   Encounter encounter = first_encounter(ball_on_floor());
   ContactSize& size = encounter.meeting.size;
-  const LayerImpact own = layer_impact(encounter, 1);
+  const ImpactOnLayer own = impact_on_layer(encounter, 1);
   EXPECT_EQ(own.radius, size.radius) << "k a/E* = 100: the ball's own";
   EXPECT_EQ(own.duration, size.duration);
   for (const bool is_round : {true, false}) {
     if (!is_round) size.curvature = 0;
-    const LayerImpact soft = layer_impact(encounter, 1e-4);
+    const ImpactOnLayer soft = impact_on_layer(encounter, 1e-4);
     const double R = 1 / size.curvature, A = pi * size.radius * size.radius, h = soft.duration * 1e-5;
     double g = 0, v = size.speed, t = 0, deepest = 0;
     for (; g >= 0; t += h) {
