@@ -108,7 +108,7 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<Find
       if (std::isnan(value)) return blank(scene, check, "not a number in row " + std::to_string(i + 1));
       const double bar = bar_at(finding, i, *column);
       CheckResult one = decided(scene, check, value, bar > 0 ? bar : 0);
-      one.has_bar = std::isfinite(bar);
+      one.has_bar = !std::isnan(bar);
       one.unit = finding.columns[*column].unit;
       one.footing = finding.footing;
       if (is_worse(one, worst)) worst = std::move(one);

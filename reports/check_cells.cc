@@ -25,6 +25,7 @@ Cell measured_cell(const CheckResult& result) {
 
 Cell bar_cell(const CheckResult& result) {
   if (!result.measured || !(result.error_bar > 0)) return text_cell("");
+  if (std::isinf(result.error_bar)) return text_cell("unknown");
   return {.text = format_number(result.error_bar, 2), .value = result.error_bar};
 }
 

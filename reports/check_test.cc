@@ -267,6 +267,7 @@ TEST(CheckResults, OfATableBarsCountAndItsUnitAndFootingComeAlong) {
   EXPECT_TRUE(result(synthetic::nan).holds);
   EXPECT_FALSE(result(synthetic::nan).has_bar);
   EXPECT_TRUE(result(0).has_bar);
+  EXPECT_FALSE(result(std::numeric_limits<double>::infinity()).decidable);
   EXPECT_EQ(result(0).unit, "m");
   EXPECT_EQ(result(0).footing.kind, "second route");
 }

@@ -1,5 +1,6 @@
 #include "reports/verification.h"
 
+#include <cmath>
 #include <set>
 
 #include "reports/check_cells.h"
@@ -37,6 +38,7 @@ std::string kind_of(const CheckResult& result) {
 }
 
 std::string uncertainty_of(const CheckResult& result) {
+  if (std::isinf(result.error_bar)) return "unknown";
   if (result.error_bar > 0) return format_number(result.error_bar, 2);
   if (!result.check.status.empty()) return "none: how a run ends is no number";
   if (result.has_bar) return "below the digits shown";

@@ -27,17 +27,17 @@ Json cell_json(const FindingCell& cell) {
   return {{"special", value > 0 ? "inf" : "-inf"}};
 }
 
-FindingCell cell_from(const Json& json) {
-  if (json.is_string()) return text(json, "rows");
+FindingCell cell_from(const Json& json, const char* key) {
+  if (json.is_string()) return text(json, key);
   if (json.is_number()) {
-    if (!std::isfinite(json.get<double>())) refuse("rows", "hold a number that is not finite");
+    if (!std::isfinite(json.get<double>())) refuse(key, "hold a number that is not finite");
     return json.get<double>();
   }
   if (json.is_null()) return not_a_number;
   const Json special = json.is_object() && json.size() == 1 ? json.value("special", Json()) : Json();
   if (special == "inf") return infinity;
   if (special == "-inf") return -infinity;
-  refuse("rows", "hold a cell that is no text, no number, not null and none of the named specials");
+  refuse(key, "hold a cell that is no text, no number, not null and none of the named specials");
 }
 
 Json columns_json(const std::vector<FindingColumn>& columns) {
@@ -69,17 +69,17 @@ std::vector<std::vector<FindingCell>> rows_from(Members& members, std::size_t n_
   for (const Json& json : array_of(members, "rows", 0, max_rows)) {
     if (!json.is_array() || json.size() != n_columns) refuse("rows", "has a row that is not as long as the columns");
     auto& row = rows.emplace_back();
-    for (const Json& cell : json) row.push_back(cell_from(cell));
+    for (const Json& cell : json) row.push_back(cell_from(cell, "rows"));
   }
   return rows;
 }
 
-// As rows, null where a cell has none.
+// As rows, null where a cell has none, infinite where it is unknown.
 Json bars_json(const std::vector<std::vector<double>>& bars) {
   Json json = Json::array();
   for (const auto& row : bars) {
     Json& cells = json.emplace_back(Json::array());
-    for (const double bar : row) cells.push_back(std::isfinite(bar) ? Json(bar) : Json());
+    for (const double bar : row) cells.push_back(cell_json(bar));
   }
   return json;
 }
@@ -92,9 +92,10 @@ std::vector<std::vector<double>> bars_from(Members& members, std::size_t n_rows,
     if (!json.is_array() || json.size() != n_columns) refuse("bars", "have a row that is not as long as the columns");
     auto& row = bars.emplace_back();
     for (const Json& cell : json) {
-      if (!cell.is_null() && !(cell.is_number() && std::isfinite(cell.get<double>()) && cell.get<double>() >= 0))
-        refuse("bars", "hold what is neither null nor a number from 0");
-      row.push_back(cell.is_null() ? not_a_number : cell.get<double>());
+      const FindingCell bar = cell_from(cell, "bars");
+      const auto* number = std::get_if<double>(&bar);
+      if (!number || *number < 0) refuse("bars", "hold what is neither null, infinite nor a number from 0");
+      row.push_back(*number);
     }
   }
   return bars;

@@ -27,7 +27,7 @@ Finding example() {
           .profile = "quick",
           .columns = {{"modes", ""}, {"limit", "s"}},
           .rows = {{8.0, 0.1 + 0.2}, {"full", infinity}, {"\"<é>", not_a_number}, {-0.0, -infinity}},
-          .bars = {{0.0, 1e-3}, {not_a_number, 0.25}, {not_a_number, not_a_number}, {1.0, 2.0}},
+          .bars = {{0.0, 1e-3}, {not_a_number, 0.25}, {not_a_number, infinity}, {1.0, 2.0}},
           .footing = {"the formula", "property", "bisection, 0.1 %"},
           .provenance = {{"commit", "abc"}}};
 }
@@ -65,6 +65,7 @@ TEST(FindingJson, every_field_comes_back_from_its_text) {
   EXPECT_EQ(after.bars[0], before.bars[0]);
   EXPECT_TRUE(std::isnan(after.bars[1][0]));
   EXPECT_EQ(after.bars[1][1], 0.25);
+  EXPECT_EQ(after.bars[2][1], infinity);
   EXPECT_EQ(after.footing.reference, before.footing.reference);
   EXPECT_EQ(after.footing.kind, before.footing.kind);
   EXPECT_EQ(after.footing.uncertainty, before.footing.uncertainty);
@@ -140,7 +141,7 @@ TEST(FindingJson, rows_hold_texts_numbers_and_named_specials_alone) {
 
 TEST(FindingJson, bars_are_numbers_from_zero_or_null_one_a_cell) {
   const Json whole = to_json(example())["bars"];
-  for (const Json& cell : {Json(-1e-9), Json("0.1"), Json(infinity), Json::array()}) {
+  for (const Json& cell : {Json(-1e-9), Json("0.1"), Json(infinity), Json::array(), Json{{"special", "-inf"}}}) {
     Json wrong = whole;
     wrong[0][1] = cell;
     expect_refused("bars", wrong);
