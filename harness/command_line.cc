@@ -16,6 +16,7 @@
 #include "harness/instruction_counter.h"
 #include "harness/interruptible.h"
 #include "harness/main.h"
+#include "harness/metis_signals.h"
 #include "harness/store/store.h"
 #include "harness/study/memory.h"
 #include "harness/study/overrides.h"
@@ -263,7 +264,8 @@ int as_told(int argc, char** argv, const Catalogue& catalogue, const Console& co
 
 int harness_main(int argc, char** argv, const Catalogue& catalogue) {
   const Console console{std::cout, std::cerr};
-  std::signal(SIGXFSZ, SIG_IGN);                     // a file that may not grow further is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is an error like a full disk
+  keep_signals_from_metis();
   if (!is_counting()) end_interrupted_on_signals();  // who counts ends by the signal itself: its parent tells
   const std::string command = argc > 1 ? argv[1] : "no command";
   return delivered(guarded([&] { return as_told(argc, argv, catalogue, console); }, command, console), console);

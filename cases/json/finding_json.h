@@ -1,6 +1,6 @@
-// Findings as JSON (cases/contract/finding.h), schema 3, one object a table:
+// Findings as JSON (cases/contract/finding.h), schema 4, one object a table:
 //
-//   {"schema":3,"run":"<32 hex digits>","analysis":"step-limits","name":"step-limits","title":"...","note":"...",
+//   {"schema":4,"run":"<32 hex digits>","analysis":"step-limits","name":"step-limits","title":"...","note":"...",
 //    "case":"cylinder-shear","profile":"quick","columns":[{"name":"modes","unit":""},{"name":"limit","unit":"s"}],
 //    "rows":[[8,0.0123],["full",{"special":"inf"}]],"provenance":{"commit":"...",...}}
 //
@@ -13,7 +13,7 @@
 
 namespace mb {
 
-inline constexpr int finding_schema = 3;
+inline constexpr int finding_schema = 4;
 
 // Bounds: 1 to 64 columns, at most 100,000 rows, each as long as columns, texts of at most 4096 bytes.
 // Throws std::invalid_argument where the finding is out of bounds, so that nothing unreadable is ever written.

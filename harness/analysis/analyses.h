@@ -11,7 +11,8 @@
 //   stability-map             integrator | modes r | system | dt | dt / limit | spectral radius | energy | error |
 //                             found | limit | verdict
 //   stability-summary         integrator | cells | stable | inaccurate | unstable | not as predicted |
-//                             too slow to be seen | order | standard error | largest energy
+//                             too slow to be seen | at the limit | order | standard error | largest energy |
+//                             energy over its bound
 //   aliasing                  frame rate | frames | contender | modes r | shutter | sub-samples | aliasing | droop |
 //                             low-band error | frame error
 //   aliasing-claim            claim | frame rate | energy above F/2 | aliasing full order | aliasing cut modal |

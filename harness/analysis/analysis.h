@@ -32,10 +32,6 @@ struct Analysis {
   bool single_modes = false;  // of modes one by one: not where a dashpot couples them
 };
 
-// The visible list: budget, step-limits, aliasing, frequency-response, mode-amplitudes, damping, frequencies,
-// probe-extremes, collision-cost, contact-forces, contact-stiffness, contact,
-// flight-cost, amplitude, instructions, slenderness, damping-coupling, long-run, multiplets, aspect, locking,
-// linearity, contact-stability.
 const std::vector<Analysis>& analysis_catalogue();
 const Analysis& analysis(const std::string& name);  // throws std::out_of_range naming it
 

@@ -16,7 +16,8 @@ struct EnergyDrift {
   Status status;
   double swing;  // [-] largest |E/E(0) - 1| within the first window
   double drift;  // [-] at the end
-  double bar;    // [-] of the drift: grid convergence index (harness/metrics/gci.h) of windows of half as many steps
+  double bar;    // [-] of the drift: grid convergence index (harness/metrics/gci.h) of windows of half as many steps,
+                 // and what rounding makes of it, as motion a third as large shows
   PowerLaw law;  // of |drift| over the steps from the first window on
 };               // all but the status NaN where that is not ok
 

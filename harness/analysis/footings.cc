@@ -30,7 +30,8 @@ const Footing contact_map{"spectral radius of one linearised step; work of a lay
 const Footing contact_summary{
     "spectral radius of one linearised step; work of a layer that opens; of errors kicks at a quarter of the least "
     "step",
-    "property", "counts are exact; of errors and of the order as the bars say"};
+    "property",
+    "counts are exact; of errors and of the order as the bars say; steps unstable from are halves of each other"};
 
 const std::vector<TablesOfAnalysis>& entries() {
   static const std::vector<TablesOfAnalysis> all{
@@ -81,12 +82,12 @@ const std::vector<TablesOfAnalysis>& entries() {
       {"long-run",
        {{"long-run",
          {"conservation of energy", "property",
-          "as the bars say: of the drift that of its windows, of the exponent that of its fit; of the swing "
-          "rounding"}}}},
+          "as the bars say: of the drift that of its windows and rounding, of the exponent that of its fit; of "
+          "the swing rounding"}}}},
       {"multiplets",
        {{"multiplets",
          {"a dense solver of the whole matrix", "second route",
-          "as the bars say: that of the mesh; rounding times omega_max/omega squared"}},
+          "as the bars say: that of the mesh; rounding times omega_max/omega squared, of subspaces over their gap"}},
         {"multiplets-kept",
          {"a dense solver of the whole matrix", "second route", "rounding times omega_max/omega squared"}},
         {"multiplets-answers",

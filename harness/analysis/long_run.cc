@@ -20,7 +20,8 @@ Finding long_run_table() {
                "period a step. Swing: the largest deviation of energy within the first 1000 steps; drift: of its mean "
                "over 1000 steps, weighted after Hann, at the end from that at the start, positive where energy grows; "
                "exponent: of the drift over the number of steps from the first 1000 on. Bar: grid convergence index of "
-               "the drift, by windows of 500 steps, the farther of two.",
+               "the drift, by windows of 500 steps, the farther of two, and its rounding, twice what motion a third as "
+               "large drifts otherwise.",
                {{"integrator", ""},
                 {"modes r", ""},
                 {"dt", "s"},

@@ -33,11 +33,14 @@ VectorXd damping_ratios(const System& system, const Modes& modes) {
   return zeta;
 }
 
+double rounding_of_damping(const MatrixXd& C) {
+  const double terms = std::max(8., static_cast<double>(C.rows()));
+  return terms * std::numeric_limits<double>::epsilon() * C.lpNorm<Eigen::Infinity>();
+}
+
 VectorXd without_rounding(const VectorXd& omega, const VectorXd& zeta) {
   const VectorXd c = 2 * zeta.cwiseProduct(omega);
-  const double terms = std::max(8., static_cast<double>(c.size()));
-  const double rounding = terms * std::numeric_limits<double>::epsilon() * c.lpNorm<Eigen::Infinity>();
-  return (c.array() > rounding).select(zeta, 0);
+  return (c.array() > rounding_of_damping(c)).select(zeta, 0);
 }
 
 double rounding_of_frequency(const Modes& modes, double omega) {

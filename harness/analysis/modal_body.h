@@ -16,6 +16,9 @@ namespace mb {
 // lowest_modes; fewer where there are no more.
 Modes leading(const Modes& modes, int n_elastic);
 
+// [1/s] What rounding leaves in a sum of n terms as large as the largest entry of C, n x n or its diagonal.
+double rounding_of_damping(const MatrixXd& C);
+
 // zeta_i = phi_i^T C phi_i / (2 omega_i) of the elastic modes, by the damping operator of the system.
 VectorXd damping_ratios(const System& system, const Modes& modes);
 // The same, zero where 2 zeta omega is what rounding of the largest of them leaves in C, and nowhere negative.
@@ -35,6 +38,7 @@ struct ModalBody {
 // With n_elastic elastic modes, if the body has as many; on its own mesh, or on that of a whole scene's.
 ModalBody modal_body(const AnalysisContext& context, int n_elastic);
 ModalBody modal_body(const AnalysisContext& context, int n_elastic, const Resolution& meshes);
+
 // Elastic modes as other meshes may be held against them.
 struct SeenModes {
   VectorXd omega;   // [rad/s]

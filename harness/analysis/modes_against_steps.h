@@ -27,7 +27,7 @@ struct BarredFrequency {
 BarredFrequency first_frequency(const SolvedBody& body, const Scene& scene);
 
 struct ModesAgainstSteps {
-  double off, bar;                     // [-] against steps at rtol 1e-6; its distance to that against 1e-5
+  double off, bar;                     // [-] against steps at rtol 1e-6; how far these at 1e-5 are from them
   double newmark_far_past;             // [-] energy at 1000 times the limit of central differences
   double central_below, central_past;  // [-] of these at 0.99 and 1.01 of it
 };

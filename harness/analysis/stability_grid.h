@@ -8,9 +8,13 @@
 // where damping couples them (mechanics/system/stepped_modes.h).
 // Free vibration: from rest, every elastic mode with the same energy. Exact motion only loses energy. What a stable
 // scheme makes of it may swing, at x = omega h: central differences down to 1 - x^2/4 and never up, as
-// E_n = cos^2(n theta) + (1 - x^2/4) sin^2(n theta); symplectic Euler, which keeps v^2 + omega^2 u^2 - h omega^2 u v,
-// up to (1 + x/2)/(1 - x/2), below 1e4 but for the last fiftieth of a per cent before the limit; average acceleration
-// keeps it (Hairer, Lubich & Wanner 2006, sect. I.1; Hughes 1987, sect. 9.1).
+// E_n = cos^2(n theta) + (1 - x^2/4) sin^2(n theta); average acceleration keeps it (Hughes 1987, sect. 9.1); symplectic
+// Euler, with damping a = c h, has of (v, omega u)
+//
+//   A = [1 - a, -x; x (1 - a), 1 - x^2],   A^T Q A = (1 - a) Q,   Q = [x (1 - a), (a - x^2)/2; (a - x^2)/2, x]
+//
+// so that from rest E_n/E_0 <= x/lambda_min(Q) = 1/(1 - a/2 - sqrt(a^2 + (a/x - x)^2)/2), undamped 1/(1 - x/2), below
+// 1e4 but for the last fiftieth of a per cent before the limit (Hairer, Lubich & Wanner 2006, sect. I.1, for a = 0).
 #pragma once
 
 #include <optional>
@@ -41,9 +45,10 @@ MappedSystem mapped_system(System system, const VectorXd& times, double duration
 struct StepCell {
   double dt;
   double radius;  // [-] rho; NaN where no scheme is known to step as the integrator does
+  Index n_modes;
   long n_steps;   // of free vibration
   double energy;  // [-] largest E(t)/E(0); infinity: no number
-  double bound;   // [-] of it, by the above, without damping; NaN past the limit, and of other schemes
+  double bound;   // [-] of it, by the above; NaN past the limit, where damping couples modes, and of other schemes
   double error;   // [-] NaN where unstable
   StepClass found;
   std::optional<StepClass> predicted;  // whether unstable, else stable; none: unknown, or growth too slow to be seen

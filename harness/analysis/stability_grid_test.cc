@@ -78,9 +78,14 @@ TEST(StabilityGrid, EnergyStaysWithinWhatTheoryAllows) {
   }
   const MappedSystem undamped = under_a_pulse({});
   const StepCell near = cell(undamped, "symplectic-euler", 0.9 * 2 / 80);
-  EXPECT_NEAR(near.bound, 19, 1e-9) << "(1 + 0.9)/(1 - 0.9)";
-  EXPECT_GT(near.energy, 19. / 3 / 2) << "one of three modes alike in energy comes near it";
+  const double bound = (1 / (1 - 0.9 * omega[0] / 80) + 1 / (1 - 0.9 * omega[1] / 80) + 1 / (1 - 0.9)) / 3;
+  EXPECT_NEAR(near.bound, bound, 1e-9);
+  EXPECT_GT(near.energy, 0.95 * bound) << "theory says how far it swings, not only that it does";
   EXPECT_TRUE(std::isnan(cell(undamped, "symplectic-euler", 1.1 * 2 / 80).bound)) << "past the limit";
+  const MappedSystem damped = under_a_pulse({4, 0});
+  const StepCell close = cell(damped, "symplectic-euler", 0.999 * predicted_limit(damped, "symplectic-euler"));
+  EXPECT_LE(close.energy, close.bound * (1 + 1e-9));
+  EXPECT_GT(close.energy, 2 * 1 / (1 - 80 * close.dt / 2) / 3) << "damping lets energy swing wider there";
   EXPECT_TRUE(std::isnan(cell(undamped, "explicit-euler", 1e-4).bound));
 }
 
@@ -91,6 +96,10 @@ TEST(StabilityGrid, GrowthTooSlowForTheRunIsNotCalledStability) {
   EXPECT_GT(slow.radius, 1);
   EXPECT_FALSE(slow.predicted.has_value());
   EXPECT_EQ(verdict(slow), "too slow to be seen");
+  StepCell still = cell(undamped, "explicit-euler", 1.6e-3);  // x = 0.128: e^16 in 1000 steps, less than 1e4 squared
+  EXPECT_EQ(verdict(still), "too slow to be seen");
+  still.found = StepClass::stable, still.energy = 1;
+  EXPECT_EQ(verdict(still), "not as predicted") << "what is bounded where so much is foretold";
   const StepCell fast = cell(undamped, "explicit-euler", 0.01);
   EXPECT_EQ(fast.found, StepClass::unstable);
   EXPECT_EQ(verdict(fast), "as predicted");

@@ -108,22 +108,24 @@ std::string degree_text(int degree) {
 
 std::string share_text(double share) { return share < 5e-5 ? "0" : fmt::format("{:.4f}", share); }
 
+std::string bar_text(double bar) { return std::isfinite(bar) ? fmt::format("{:.1e}", bar) : "unknown"; }
+
 void print_table(const Told& all, std::ostream& out) {
   fmt::print(out, "{:>5}  {:>14}  {:>14}  {:>8}  {:>9}  {:>12}  {:>6}  {:>6}  {:>6}  {:>6}  kind\n", "mode",
              "omega [rad/s]", "f [Hz]", "+- [Hz]", "residual", "multiplicity", "degree", "x", "y", "z");
   for (Index i = 0; i < all.count; ++i) {
     const auto share = [&](Index d) { return share_text(all.participation(i, d)); };
     const double omega = all.modes.omega[i];
-    fmt::print(out, "{:>5}  {:>14.7g}  {:>14.7g}  {:>8.1e}  {:>9.1e}  {:>12}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", i + 1,
-               omega, omega / (2 * pi), all.bar[i] / (2 * pi), all.modes.residual[i],
+    fmt::print(out, "{:>5}  {:>14.7g}  {:>14.7g}  {:>8}  {:>9.1e}  {:>12}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", i + 1,
+               omega, omega / (2 * pi), bar_text(all.bar[i] / (2 * pi)), all.modes.residual[i],
                all.multiplicity[static_cast<size_t>(i)], degree_text(all.degree[static_cast<size_t>(i)]), share(0),
                share(1), share(2), i < all.modes.n_rigid ? "rigid" : "elastic");
   }
   fmt::print(
       out,
-      "\n+-: twice the distance to the frequency of what moves alike on the truth's finer mesh (once, to the coarser, "
-      "where the body has "
-      "that itself), and rounding\ndegree: the least of a polynomial displacement in x, y, z, as the supports admit "
+      "\n+-: twice the distance to the frequency of what moves alike on the truth's finer mesh, where nothing does of "
+      "the same place (once, to the coarser, where the body has that itself), and rounding\ndegree: the least of a "
+      "polynomial displacement in x, y, z, as the supports admit "
       "it, that holds {:g} % of the mode's M norm squared\nx, y, z: participation, the effective modal mass along the "
       "axis as a share "
       "of the body's mass\n",

@@ -261,8 +261,9 @@ std::vector<Metric> contact_metrics() {
             "never touches.",
             &n_touches),
       alone("energy-gain",
-            "Largest gain of energy, losses in contact added back, by the largest energy in play: kinetic at the first "
-            "touch, stored in contacts, or work of the weight.",
+            "Largest gain of energy over that at the start, losses in contact added back, by the largest energy in "
+            "play: kinetic at the first touch, stored in contacts, or work of the weight. What the body's own damping "
+            "has taken hides as much of a gain.",
             &energy_gain),
       alone(
           "energy-defect",

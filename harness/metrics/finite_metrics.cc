@@ -42,7 +42,8 @@ double free_gain(const Trajectory& answer, const Scene& scene) {
 std::vector<Metric> finite_metrics() {
   Metric gain{"free-gain",
               "-",
-              "Largest gain of kinetic and stored energy once the last load has ended, by the largest until then; of "
+              "Largest gain of kinetic and stored energy once the last load has ended, by the largest until then; what "
+              "damping takes hides as much; of "
               "full order of finite kinematics, without contact and weight.",
               false,
               false,

@@ -1,7 +1,7 @@
-// METIS, which orders what CHOLMOD factorises, takes SIGTERM and SIGABRT for itself while it works, to leave by longjmp
-// where it fails; a SIGTERM from outside then jumps out of any thread, or is lost. Its two functions in this program's
-// version, which the loader prefers to the library's: SIGABRT alone, which it raises where memory ends, is trapped, and
-// SIGTERM stays what interruptible.h makes of it.
+#include "harness/metis_signals.h"
+
+#if MB_METIS_TAKES_SIGNALS
+
 #include <csignal>
 #include <mutex>
 
@@ -44,3 +44,11 @@ int gk_siguntrap() {
   if (--n_trapping == 0) std::signal(SIGABRT, before);
   return 1;
 }
+
+#endif
+
+namespace mb {
+
+void keep_signals_from_metis() {}
+
+}  // namespace mb
