@@ -98,10 +98,10 @@ Windows run_windows(const Integrator& integrator, const System& system, const st
 }
 
 // Twice what the drift is otherwise where the motion is a third as large, which is the same but for rounding; that of a
-// quotient near 1 at the least.
+// quotient near 1 at the least. NaN where that motion is not known.
 double rounding(const Windows& whole, const Windows& third) {
-  const double moved = third.status == Status::ok ? 2 * std::abs(third.drift() - whole.drift()) : 0;
-  return std::max(moved, std::numeric_limits<double>::epsilon());
+  if (third.status != Status::ok) return std::numeric_limits<double>::quiet_NaN();
+  return std::max(2 * std::abs(third.drift() - whole.drift()), std::numeric_limits<double>::epsilon());
 }
 
 }  // namespace

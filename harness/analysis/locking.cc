@@ -46,10 +46,8 @@ Finding dynamics_table() {
       "The body on its own mesh with other ratios of Poisson, under the case's loads. Modes against steps: 24 modes "
       "with static correction in closed form against all unknowns by adaptive steps at rtol 1e-6, displacement, M "
       "norm; its bar, how far steps at 1e-5 are from those. Bar of a frequency: twice the distance to that of the "
-      "finer "
-      "mesh of the case. Energies: the largest over the first of free vibration within "
-      "1000 steps, by average acceleration at 1000 times the limit of central differences, by these at 0.99 and at "
-      "1.01 of it.",
+      "finer mesh of the case. Energies: the largest over the first of free vibration within 1000 steps, by average "
+      "acceleration at 1000 times the limit of central differences, by these at 0.99 and at 1.01 of it.",
       {{"nu", ""},
        {"unknowns", ""},
        {"first frequency", "Hz"},
