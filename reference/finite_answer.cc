@@ -38,11 +38,11 @@ class PreparedFinite final : public Prepared {
   Index n_unknowns() const override { return body_.n(); }
 
  private:
-  // [J] Kinetic and stored, by the consistent mass; 0 where nothing was reached.
+  // [J] Kinetic and stored, by the mass that is stepped; 0 where nothing was reached.
   VectorXd energy(const States& states) const {
     VectorXd E = VectorXd::Zero(states.u.cols());
     for (Index k = 0; k < states.n_valid; ++k)
-      E[k] = kinetic_energy(body_.system(), states.v.col(k)) + strain_energy(body_.system(), states.u.col(k));
+      E[k] = body_.kinetic_energy(states.v.col(k)) + strain_energy(body_.system(), states.u.col(k));
     return E;
   }
 

@@ -35,4 +35,7 @@ std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body
 Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resolution = nullptr,
                   const ModeSolver& modes = {});
 
+// [-] sum over the bodies of |1 - V_h/V|, V the volume of the shape, V_h of its mesh: what that lacks of mass, too.
+double missing_volume(const Scene& scene, const Resolution& resolution);
+
 }  // namespace mb

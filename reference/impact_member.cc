@@ -28,6 +28,7 @@ ImpactMember::ImpactMember(const Model& model, size_t i)
 
 void ImpactMember::start_at(double t, const Integrator& integrator, const Settings& settings) {
   start_ = t;
+  lumped_ = integrator.conditionally_stable && system_.lumped_mass.rows() > 0;
   if (free_) {
     system_.v0 = rigid_velocity(t);
     return;
@@ -95,36 +96,41 @@ VectorXd ImpactMember::weight() const {
 
 VectorXd ImpactMember::energy(const MatrixXd& u, const MatrixXd& v) const {
   const VectorXd load = weight();
-  const double mass =
-      free_ ? full_->translation(Vector3d::UnitX()).dot(system_.M * full_->translation(Vector3d::UnitX())) : 0;
-  VectorXd E = VectorXd::Constant(u.cols(), -mass * gravity_.dot(flown(start_)));
+  const double fallen = free_ ? sum_of(mass(), full_->translation(gravity_)).dot(flown(start_)) : 0;
+  VectorXd E = VectorXd::Constant(u.cols(), -fallen);
   for (Index k = 0; k < u.cols(); ++k)
-    E[k] += kinetic_energy(system_, v.col(k)) + strain_energy(system_, u.col(k)) - load.dot(u.col(k));
+    E[k] += kinetic_energy(v.col(k)) + strain_energy(system_, u.col(k)) - load.dot(u.col(k));
   return E;
 }
 
 double ImpactMember::energy_at_start() const {
-  return free_ ? kinetic_energy(system_, rigid_velocity(0)) : kinetic_energy(system_, full_->system().v0);
+  return kinetic_energy(free_ ? rigid_velocity(0) : full_->system().v0);
+}
+
+Vector3d ImpactMember::sum_of(const SparseMatrix& M, const VectorXd& v) const {
+  return VectorXd(M * v).reshaped(3, v.size() / 3).rowwise().sum();
 }
 
 // P = sum (M v)_i,  L = sum x_i x (M v)_i over the nodes: shapes sum to one, and carry rotations as they carry places.
+// The weight is that of the mass in flight and from the joint start on the load, which is the consistent mass's.
 MatrixXd ImpactMember::momentum(const MatrixXd& u, const MatrixXd& v, const VectorXd& t) const {
   const VectorXd places = full_->places();
   if (places.size() != n()) return {};  // unknowns of a basis
   const Matrix3Xd X = places.reshaped(3, n() / 3);
   const Eigen::Matrix3d Q = body_->pose.orientation.toRotationMatrix();
+  const VectorXd falling = full_->translation(gravity_);
+  const Vector3d in_flight = sum_of(mass(), falling), as_load = sum_of(system_.M, falling);
   MatrixXd all(6, t.size());
   for (Index k = 0; k < t.size(); ++k) {
     const bool flies = t[k] <= start_;
-    const Matrix3Xd p = VectorXd(system_.M * (flies ? rigid_velocity(t[k]) : VectorXd(v.col(k)))).reshaped(3, X.cols());
+    const Matrix3Xd p = VectorXd(mass() * (flies ? rigid_velocity(t[k]) : VectorXd(v.col(k)))).reshaped(3, X.cols());
     const Matrix3Xd x = X + u.col(k).reshaped(3, X.cols());
-    const Vector3d P = Q * p.rowwise().sum(), at = body_->pose.to_world(flown(std::min(t[k], start_)));
+    const double flown_for = std::min(t[k], start_);
+    const Vector3d P = Q * p.rowwise().sum(), at = body_->pose.to_world(flown(flown_for));
     Vector3d spin = Vector3d::Zero();
     for (Index i = 0; i < x.cols(); ++i) spin += Vector3d(x.col(i)).cross(Vector3d(p.col(i)));
-    all.col(k) << P, Q * spin + at.cross(P);
+    all.col(k) << P - Q * (flown_for * in_flight + (t[k] - flown_for) * as_load), Q * spin + at.cross(P);
   }
-  const Matrix3Xd of_unit = VectorXd(system_.M * full_->translation(gravity_)).reshaped(3, X.cols());
-  all.topRows(3) -= Q * of_unit.rowwise().sum() * t.transpose();
   return all;
 }
 

@@ -33,6 +33,7 @@ class ImpactMember {
   const Touchdown& touchdown() const { return touchdown_; }
   const Matrix3Xd& points() const { return points_; }
   const System& system() const { return system_; }  // with the state at the joint start
+  double kinetic_energy(const VectorXd& v) const { return v.dot(mass() * v) / 2; }  // [J] by the mass that is stepped
   Index n() const { return system_.u0.size(); }
   Pose frame() const;  // of the undeformed body at the joint start
 
@@ -44,7 +45,8 @@ class ImpactMember {
   MatrixXd strain(const MatrixXd& u) const;    // at the evaluation points, 6 p x n_t
   MatrixXd rotation(const MatrixXd& u) const;  // [rad] 3 x n_t, R R^T M u's; of a linear body
   VectorXd weight() const;                     // [N]
-  // [J] kinetic, strain and the weight's since t = 0, of states at the joint start or later.
+  // [J] kinetic, strain and the weight's since t = 0, of states at the joint start or later. Here and in the momentum
+  // by the mass that is stepped, which of explicit schemes is the lumped one: what these keep is no other's.
   VectorXd energy(const MatrixXd& u, const MatrixXd& v) const;
   double energy_at_start() const;  // [J] kinetic, of the body as the scene states it
   // 6 x n_t of a free body, as BodyTrajectory has it; before the joint start that of rigid flight, whatever v there.
@@ -57,6 +59,8 @@ class ImpactMember {
 
  private:
   VectorXd rigid_velocity(double t) const;  // [m/s] n, of a free body
+  const SparseMatrix& mass() const { return lumped_ ? system_.lumped_mass : system_.M; }
+  Vector3d sum_of(const SparseMatrix& M, const VectorXd& v) const;  // [N s] sum (M v)_i, of a free body
   Vector3d to_axes(const Vector3d& world) const { return body_->pose.orientation.conjugate() * world; }
   Vector3d flown(double t) const { return free_ ? Vector3d(t * velocity_ + t * t / 2 * gravity_) : Vector3d::Zero(); }
   SparseMatrix in_world(const SparseMatrix& U, Index first, Index n_all) const;
@@ -67,7 +71,7 @@ class ImpactMember {
   std::shared_ptr<const FullModel> full_;
   Touchdown touchdown_;
   System system_;
-  bool free_;
+  bool free_, lumped_ = false;
   double start_ = 0;
   Vector3d velocity_, gravity_;  // in the body's axes
   std::unique_ptr<Stepper> alone_;

@@ -39,6 +39,7 @@ struct Metric {
   // come to in this metric where it is all of the largest deformation (of stress: of the largest stress).
   const char* whole = nullptr;
   double (*share)(const Trajectory& truth, const MetricContext& context) = nullptr;
+  double per_mass = 1;  // [-] what a relative error of the truth's mass may come to at most, by size
 };
 
 // The visible list. Values are >= 0 but for probe-magnitude, which is signed.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <future>
 #include <mutex>
 #include <optional>
@@ -151,6 +153,20 @@ bool computed(const std::vector<TruthJob>& missing, const TruthSet& set, TruthRu
   return true;
 }
 
+// What the mass that the finer mesh lacks may come to; 0 where there is nothing to compare.
+double of_missing_mass(const Metric& metric, const TruthSet& truth, const MetricContext& context) {
+  const double size = metric.of_truth_alone ? mark(metric, truth.finer, truth.finer, context).value
+                                            : truth_size(metric, truth.finer, context);
+  return std::isfinite(size) ? metric.per_mass * truth.missing_volume * size : 0;
+}
+
+// How far the finer truth is from the closed form, beyond that one's own bar; 0 of what it leaves out.
+double beyond_exact(const Metric& metric, const TruthSet& truth, const MetricContext& context) {
+  if (!truth.exact || metric.of_truth_alone) return 0;
+  const double off = distance(metric, truth.finer, *truth.exact, context);
+  return std::isfinite(off) ? off - truth.exact_bar * truth_size(metric, *truth.exact, context) : 0;
+}
+
 }  // namespace
 
 Modes modes_of_a_mesh(const System& system, const Body& body, int n_elastic) {
@@ -184,6 +200,7 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
   std::erase_if(missing, [&](const TruthJob& job) { return runs.find(job); });  // what is damaged is missing, too
   if (missing.size() > without_file.size()) require_feasible(missing, *scene);
   if (!missing.empty() && !computed(missing, set, runs, *scene, interrupted)) return {};
+  set.missing_volume = missing_volume(*scene, t.finer);
   if (!t.exact.empty()) {
     const ExactSolution& solution = exact_solution(t.exact);
     set.exact = solution.at(*scene, evaluation_points(*scene, scene->bodies.front()), sample_times(*scene));
@@ -195,7 +212,9 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
 double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, const MetricContext& context) {
   if (kind == TruthKind::exact) return truth.exact_bar * truth_size(metric, truth.of(kind), context);
   const double time = distance(metric, truth.loose, truth.same_mesh, context);
-  return kind == TruthKind::same_mesh ? time : time + distance(metric, truth.coarser, truth.finer, context);
+  if (kind == TruthKind::same_mesh) return time;
+  const double mesh = distance(metric, truth.coarser, truth.finer, context) + of_missing_mass(metric, truth, context);
+  return std::max(time + mesh, beyond_exact(metric, truth, context));
 }
 
 }  // namespace mb

@@ -141,7 +141,18 @@ Matrices assemble(const Discretisation& d, const Material& material) {
     const MatrixXd mass = material.density * (cell_values.N.transpose() * cell_values.N);
     cell->get_dof_indices(ids);
     scatter(pattern, ids, mass, stiffness, sum);
-    for (unsigned q = 0; q < gauss.size(); ++q) sum.mesh_volume += values.JxW(q);
+  }
+  sum.mesh_volume = mesh_volume(d);
+  return sum;
+}
+
+double mesh_volume(const Discretisation& d) {
+  const dealii::QGauss<3> gauss(d.element.degree + 1);
+  dealii::FEValues<3> values(d.mapping, d.element, gauss, dealii::update_JxW_values);
+  double sum = 0;
+  for (const auto& cell : d.nodes.active_cell_iterators()) {
+    values.reinit(cell);
+    for (unsigned q = 0; q < gauss.size(); ++q) sum += values.JxW(q);
   }
   return sum;
 }

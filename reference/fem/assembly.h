@@ -19,6 +19,7 @@ struct Matrices {
   double mesh_volume;  // [m^3]
 };
 Matrices assemble(const Discretisation& d, const Material& material);
+double mesh_volume(const Discretisation& d);  // [m^3]
 
 // [kg] n_dofs, all > 0; in each direction they sum to the mass, on the coarsest balls to that quadrature's error alone
 // (0.13, 0.003, 6e-4, 2e-5 of it for degree 1 to 4 on seven blocks). Throws std::invalid_argument naming the node where

@@ -74,10 +74,14 @@ std::vector<Vector3d> first_touches(const Scene& scene, const Body& body) {
   return X;
 }
 
+std::vector<Vector3d> foci(const Scene& scene, const Body& body, const Resolution& resolution) {
+  return resolution.graded > 0 ? first_touches(scene, body) : std::vector<Vector3d>{};
+}
+
 class DealiiModel final : public FullModel {
  public:
   DealiiModel(const Scene& scene, const Body& body, const Resolution& resolution, const ModeSolver& modes)
-      : mesh_(body.shape, resolution, resolution.graded > 0 ? first_touches(scene, body) : std::vector<Vector3d>{}),
+      : mesh_(body.shape, resolution, foci(scene, body, resolution)),
         supports_(fem::condense(mesh_, body.supports)),
         material_(body.material) {
     const fem::Matrices full = fem::assemble(mesh_, body.material);
@@ -183,6 +187,13 @@ bool touches(const Scene& scene, const Body& body) {
                              [&](const auto& c) { return c.body == body.name || c.obstacle == body.name; });
 }
 
+// Of body i, where the whole scene has one resolution.
+Resolution mesh_of(const Scene& scene, size_t i, const Resolution& resolution) {
+  Resolution mesh = of_body(resolution, i);
+  if (!touches(scene, scene.bodies[i])) mesh.graded = 0;
+  return mesh;
+}
+
 }  // namespace
 
 std::shared_ptr<const FullModel> full_model(const Scene& scene, const Body& body, const Resolution& resolution,
@@ -195,13 +206,23 @@ Model build_model(std::shared_ptr<const Scene> scene, const Resolution* resoluti
   Model model{scene, {}};
   for (size_t i = 0; i < scene->bodies.size(); ++i) {
     const Body& body = scene->bodies[i];
-    Resolution mesh = resolution ? of_body(*resolution, i) : body.resolution;
-    if (resolution && !touches(*scene, body)) mesh.graded = 0;
+    const Resolution mesh = resolution ? mesh_of(*scene, i, *resolution) : body.resolution;
     const auto full = full_model(*scene, body, mesh, modes);
     const EvaluationPoints points = evaluation_points(*scene, body);
     model.bodies.push_back({full, points, full->displacement_at(points.all()), full->strain_at(points.strained())});
   }
   return model;
+}
+
+double missing_volume(const Scene& scene, const Resolution& resolution) {
+  double missing = 0;
+  for (size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    if (body.theory != Theory::solid) continue;  // its modes are of the shape itself
+    const Resolution mesh = mesh_of(scene, i, resolution);
+    missing += std::abs(1 - fem::mesh_volume({body.shape, mesh, foci(scene, body, mesh)}) / volume(body.shape));
+  }
+  return missing;
 }
 
 }  // namespace mb
