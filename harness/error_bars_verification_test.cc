@@ -30,8 +30,9 @@ std::string held_to(const std::string& file, const std::string& finest) {
   std::string all = text(fs::path(MB_SOURCE_DIR) / "cases/hard" / file);
   all.resize(all.find("[study]"));
   std::smatch finer;
-  if (!finest.empty() && std::regex_search(all, finer, std::regex("\\[truth\\][^]*?\nfiner +=([^\n#]*)"))) {
-    const std::string own = finer[1];
+  if (!finest.empty() &&
+      std::regex_search(all, finer, std::regex("\\[(truth|profile.quick)\\][^]*?\nfiner +=([^\n#]*)"))) {
+    const std::string own = finer[2];
     all = std::regex_replace(all, std::regex("\nfiner .*"), "\nfiner = " + finest);
     all = std::regex_replace(all, std::regex("\ncoarser .*"), "\ncoarser = " + own);
   }
@@ -39,9 +40,12 @@ std::string held_to(const std::string& file, const std::string& finest) {
   std::regex_search(all, time, std::regex("\nduration += ([0-9.e-]+)"));
   const double duration = std::stod(time[1]);
   all = std::regex_replace(all, std::regex("\nhard +=[^]*?\"\"\"[^]*?\"\"\""), "");
+  const bool touches = all.find("[[contact]]") != std::string::npos;
   return all + R"([study]
 methods = ["eigenmodes", "static-correction"]
 modes   = [2, 8]
+)" + (touches ? fmt::format("contact_steps = [{}]", duration / 1000) : "") +
+         R"(
 [[study.rival]]
 integrator = "newmark"
 time_steps = [)" +
@@ -106,7 +110,8 @@ INSTANTIATE_TEST_SUITE_P(ErrorBars, MarksVerification,
                                            Finest{"microsecond-beam.toml", "{ degree = 4, cells = [2, 2, 12] }"},
                                            Finest{"dashpot.toml", "{ degree = 4, cells = [2, 2, 12] }"},
                                            Finest{"nearly-degenerate-bar.toml", "{ degree = 4, cells = [2, 2, 8] }"},
-                                           Finest{"slender-rod.toml", "{ degree = 3, cells = [1, 1, 64] }"}),
+                                           Finest{"slender-rod.toml", "{ degree = 3, cells = [1, 1, 64] }"},
+                                           Finest{"undamped-impacts.toml", "{ degree = 3, cells = [2], graded = 2 }"}),
                          [](const auto& at) { return stem_of(at.param.file); });
 
 // Bars of the own mesh's tables are twice the distance to the truth's `finer`.

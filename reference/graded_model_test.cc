@@ -171,6 +171,22 @@ TEST(GradedModel, LoadsKeepTheirResultant) {
   }
 }
 
+// Grading refines where the body touches: what the coarse rest lacks of the volume, half of it, stays.
+TEST(GradedModel, LacksTheVolumeOfItsCoarsestCells) {
+  Scene scene = one_body(Sphere{0.05}, rubber, {2, {2}});
+  scene.gravity = {0, 0, -9.81};
+  scene.bodies[0].pose.position = {0, 0, 0.051};
+  scene.obstacles.push_back({"floor", {HalfSpace{}, 0, {}}});
+  scene.contacts.push_back({.body = scene.bodies[0].name, .obstacle = "floor", .stiffness = 1e8});
+  const double even = missing_volume(scene, {2, {2}}), graded = missing_volume(scene, {2, {2}, 3});
+  EXPECT_NEAR(even, std::abs(1 - full_model(scene, scene.bodies[0], {2, {2}})->mesh_volume() / volume(Sphere{0.05})),
+              1e-14);
+  EXPECT_GT(even, 1e-4);
+  EXPECT_GT(graded, 0.4 * even);
+  EXPECT_LT(graded, even);
+  EXPECT_LT(missing_volume(scene, {3, {2}}), 0.1 * even);
+}
+
 TEST(GradedModel, SizeIsEstimatedFromAbove) {
   for (const auto& [shape, resolution] :
        std::vector<std::pair<Shape, Resolution>>{{box, {2, {3, 2, 5}, 3}},

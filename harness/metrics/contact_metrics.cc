@@ -171,6 +171,11 @@ double momentum_defect(const Trajectory& answer, const Trajectory&, const Metric
 }
 
 double touch_size(const Trajectory&, const MetricContext&) { return 1; }
+// 1 + e = J/(m v), what a relative error of the impulse comes to.
+double impulse_share(const Trajectory& truth, const MetricContext& context) {
+  const auto contact = first_contact(touches_of(truth, context), touches_of(truth, context));
+  return contact ? 1 + restitution(context.scene, body(context), contact->whole) : nan;
+}
 
 }  // namespace
 
@@ -238,9 +243,9 @@ std::vector<Metric> contact_metrics() {
     m.contact_only = true;
     return m;
   };
-  // e = J/(m v) - 1 is off by 1 + e at most, a time by none.
-  const auto per_mass = [](double share, Metric m) {
-    m.per_mass = share;
+  const auto at_any_mass = [](Metric m) { return m.per_mass = 0, m; };
+  const auto of_impulse = [](Metric m) {
+    m.per_mass = 2, m.whole = "impulse", m.share = &impulse_share;  // e = J/(m v) - 1 is off by 1 + e at most
     return m;
   };
   // Not an error, hence without a bar; the truth says no more than how far the first contact goes.
@@ -250,17 +255,18 @@ std::vector<Metric> contact_metrics() {
     return m;
   };
   return {
-      per_mass(0, add("first-touch", "s", "Difference of the times of the first touch.", &first_touch_error)),
-      add("contact-duration", "-",
-          "Relative error of the duration of the first contact, from its first touch to the end of its last.",
-          &duration_error),
-      add("peak-force", "-", "Relative error of the largest contact force of the first contact.", &peak_force_error),
-      add("impulse", "-", "Relative error of the impulse of the first contact, as a vector.", &impulse_error),
-      per_mass(2, add("restitution", "-",
-                      "Difference of the coefficients of restitution of the first contact, by the shape's own mass: a "
-                      "mesh that lacks volume shows it; free bodies, and what strikes one.",
-                      &restitution_error)),
-      add("force-error", "-", "Relative L2 error over time of the contact force.", &force_error),
+      at_any_mass(add("first-touch", "s", "Difference of the times of the first touch.", &first_touch_error)),
+      relative(add("contact-duration", "-",
+                   "Relative error of the duration of the first contact, from its first touch to the end of its last.",
+                   &duration_error)),
+      relative(add("peak-force", "-", "Relative error of the largest contact force of the first contact.",
+                   &peak_force_error)),
+      relative(add("impulse", "-", "Relative error of the impulse of the first contact, as a vector.", &impulse_error)),
+      of_impulse(add("restitution", "-",
+                     "Difference of the coefficients of restitution of the first contact, by the shape's own mass: a "
+                     "mesh that lacks volume shows it; free bodies, and what strikes one.",
+                     &restitution_error)),
+      relative(add("force-error", "-", "Relative L2 error over time of the contact force.", &force_error)),
       alone("touches",
             "Touches in the first contact: 1 where it touches and lets go once, more where it chatters, 0 where it "
             "never touches.",

@@ -40,7 +40,13 @@ struct Metric {
   const char* whole = nullptr;
   double (*share)(const Trajectory& truth, const MetricContext& context) = nullptr;
   double per_mass = 1;  // [-] what a relative error of the truth's mass may come to at most, by size
+  // Divided by the truth's own size: an error d of that moves a value e by d (1 + |e|) at most, to first order.
+  bool relative = false;
 };
+inline Metric relative(Metric metric) {
+  metric.relative = true;
+  return metric;
+}
 
 // The visible list. Values are >= 0 but for probe-magnitude, which is signed.
 const std::vector<Metric>& metric_catalogue();

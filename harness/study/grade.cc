@@ -24,6 +24,11 @@ void put_bar(Record& record, double bar) {
     record.status = "undefined: the truth's neighbour has no such number";
 }
 
+// Of a value of this metric, where the truth may be off by `bar`.
+double at_value(double bar, const Metric& metric, double value) {
+  return metric.relative && std::isfinite(value) ? bar * (1 + std::abs(value)) : bar;
+}
+
 std::vector<bool> finite_bodies(const Trajectory& answer, size_t n) {
   std::vector<bool> finite;
   for (size_t b = 0; b < n; ++b) finite.push_back(is_finite(answer, static_cast<Index>(b)));
@@ -97,7 +102,8 @@ std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) 
       if (subject.metric.of_truth_alone) continue;
       if (subject.metric.of_answer_alone && kind != TruthKind::finer) continue;
       Record record = marked(base, subject, kind, answer, truth_.of(kind), {finite, finite_truths_.at(kind)});
-      if (const auto bar = bars_.find({i, kind}); bar != bars_.end()) put_bar(record, bar->second);
+      if (const auto bar = bars_.find({i, kind}); bar != bars_.end())
+        put_bar(record, at_value(bar->second, subject.metric, record.value));
       records.push_back(std::move(record));
     }
   return records;
@@ -110,7 +116,8 @@ std::vector<Record> Grader::marks_of_steps(const Record& base, const Trajectory&
   for (const Subject& subject : subjects_) {
     if (subject.metric.of_truth_alone || subject.metric.of_answer_alone) continue;
     Record record = marked(base, subject, TruthKind::same_modes, answer, closed_form, finite);
-    put_bar(record, load_error * truth_size(subject.metric, closed_form, subject.context));
+    const double bar = load_error * truth_size(subject.metric, closed_form, subject.context);
+    put_bar(record, at_value(bar, subject.metric, record.value));
     records.push_back(std::move(record));
   }
   return records;

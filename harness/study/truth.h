@@ -6,11 +6,11 @@
 //     against `same_mesh`   distance(rtol, rtol/100 on the body's mesh)
 //     against `exact`       relative error of the closed form's series x size of the truth in this metric
 //
-// Distances are taken in the metric's own measure. V_h: volume of the finer mesh, V of the shapes; both meshes of graded
-// bodies lack about as much of it, and of mass, which no distance between them shows. Size (Metric::size): 1 where a
-// metric is relative to the whole truth, the largest displacement [m] for positions, that over the radius of gyration
-// [rad] for rotations, the same to a probe's own signal for probes. Truths but the exact one are full order, stepped by
-// SUNDIALS, and cached in the store.
+// Distances are taken in the metric's own measure. V_h: volume of the finer mesh, V of the shapes; both meshes of
+// graded bodies lack about as much of it, and of mass, which no distance between them shows. Size (Metric::size): 1
+// where a metric is relative to the whole truth, the largest displacement [m] for positions, that over the radius of
+// gyration [rad] for rotations, the same to a probe's own signal for probes. Truths but the exact one are full order,
+// stepped by SUNDIALS, and cached in the store.
 #pragma once
 
 #include <functional>
@@ -50,6 +50,7 @@ Model make_model(const std::shared_ptr<const Scene>& scene, const Resolution& re
 std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue,
                                const Store& store, const Progress& progress, const std::function<bool()>& interrupted);
 
+// Of a small value; of larger ones that are relative to the truth more (Metric::relative).
 double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, const MetricContext& context);
 
 }  // namespace mb

@@ -67,6 +67,41 @@ TEST(ErrorBar, GrowsWithTheTruthInMetresAndNotWhereItIsRelative) {
   EXPECT_NEAR(sphere.bar("probe-error", 0), probe, 1e-12 * probe);
 }
 
+// Two meshes, two tolerances that agree: what is left is the mass that both lack, and what a closed form knows better.
+struct AgreeingTruths : PulsedSphere {
+  AgreeingTruths() {
+    truth.finer = truth.coarser = truth.same_mesh = truth.loose = *truth.exact;
+    truth.exact.reset();
+    truth.missing_volume = 0.01;
+  }
+  double of_finer(const std::string& name, Index probe = -1) const {
+    return error_bar(metric(name), truth, TruthKind::finer, {scene, 0, points, true, probe});
+  }
+};
+
+TEST(ErrorBar, HoldsWhatTheFinerMeshLacksOfTheMass) {
+  AgreeingTruths sphere;
+  EXPECT_DOUBLE_EQ(sphere.of_finer("displacement-error"), 0.01);
+  EXPECT_GE(sphere.of_finer("probe-error", 0), 0.01);
+  const BodyTrajectory& body = sphere.truth.finer.bodies[0];
+  EXPECT_LT(sphere.of_finer("truth-strain"), 0.01 * body.strain.cwiseAbs().maxCoeff() * 1.5);
+  EXPECT_GT(sphere.of_finer("truth-strain"), 0);
+  EXPECT_EQ(error_bar(metric("displacement-error"), sphere.truth, TruthKind::same_mesh,
+                      {sphere.scene, 0, sphere.points, true, -1}),
+            0);  // it lacks as much as the answer on its mesh
+  sphere.truth.missing_volume = 0;
+  EXPECT_EQ(sphere.of_finer("displacement-error"), 0);
+}
+
+TEST(ErrorBar, IsNoLessThanTheDistanceToAClosedForm) {
+  AgreeingTruths sphere;
+  sphere.truth.exact = sphere.truth.finer;
+  sphere.truth.exact->bodies[0].displacement *= 1.25;  // the finer truth is a fifth less
+  EXPECT_NEAR(sphere.of_finer("displacement-error"), 0.2 - sphere.truth.exact_bar, 1e-12);
+  sphere.truth.missing_volume = 0.3;
+  EXPECT_DOUBLE_EQ(sphere.of_finer("displacement-error"), 0.3);
+}
+
 TEST(ErrorBar, NeedsATruthOfTheKind) {
   const PulsedSphere sphere;
   TruthSet none;
