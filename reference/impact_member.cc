@@ -96,16 +96,14 @@ VectorXd ImpactMember::weight() const {
 
 VectorXd ImpactMember::energy(const MatrixXd& u, const MatrixXd& v) const {
   const VectorXd load = weight();
-  const double fallen = free_ ? sum_of(mass(), full_->translation(gravity_)).dot(flown(start_)) : 0;
+  const double fallen = free_ ? full_->translation(flown(start_)).dot(mass() * full_->translation(gravity_)) : 0;
   VectorXd E = VectorXd::Constant(u.cols(), -fallen);
   for (Index k = 0; k < u.cols(); ++k)
     E[k] += kinetic_energy(v.col(k)) + strain_energy(system_, u.col(k)) - load.dot(u.col(k));
   return E;
 }
 
-double ImpactMember::energy_at_start() const {
-  return kinetic_energy(free_ ? rigid_velocity(0) : full_->system().v0);
-}
+double ImpactMember::energy_at_start() const { return kinetic_energy(free_ ? rigid_velocity(0) : full_->system().v0); }
 
 Vector3d ImpactMember::sum_of(const SparseMatrix& M, const VectorXd& v) const {
   return VectorXd(M * v).reshaped(3, v.size() / 3).rowwise().sum();

@@ -163,7 +163,7 @@ double of_missing_mass(const Metric& metric, const TruthSet& truth, const Metric
 // How far the finer truth is from the closed form, beyond that one's own bar; 0 of what it leaves out.
 double beyond_exact(const Metric& metric, const TruthSet& truth, const MetricContext& context) {
   if (!truth.exact || metric.of_truth_alone) return 0;
-  const double off = distance(metric, truth.finer, *truth.exact, context);
+  const double off = distance(metric, *truth.exact, truth.finer, context);
   return std::isfinite(off) ? off - truth.exact_bar * truth_size(metric, *truth.exact, context) : 0;
 }
 
