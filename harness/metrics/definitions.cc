@@ -92,7 +92,8 @@ const std::map<std::string, Origin>& origins() {
       {"momentum-drift",
        {"max of |P(t) - P(0) - J(t)| while nothing presses, of two bodies |J_a + J_b|, of two free ones |sum P(t) - "
         "sum "
-        "P(0)|, over max_t |J|; P: by the mass that is stepped, the mesh's or the modes', less m g t; J: impulse of contacts since t = "
+        "P(0)|, over max_t |J|; P: by the mass that is stepped, the mesh's or the modes', less m g t; J: impulse "
+        "of contacts since t = "
         "0",
         "conservation of momentum"}},
       {"angular-drift",

@@ -153,7 +153,7 @@ bool computed(const std::vector<TruthJob>& missing, const TruthSet& set, TruthRu
   return true;
 }
 
-// What the mass that the finer mesh lacks may come to; 0 where there is nothing to compare.
+// What the mass that both meshes lack may come to; 0 where there is nothing to compare.
 double of_missing_mass(const Metric& metric, const TruthSet& truth, const MetricContext& context) {
   const double size = metric.of_truth_alone ? mark(metric, truth.finer, truth.finer, context).value
                                             : truth_size(metric, truth.finer, context);
@@ -200,7 +200,9 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
   std::erase_if(missing, [&](const TruthJob& job) { return runs.find(job); });  // what is damaged is missing, too
   if (missing.size() > without_file.size()) require_feasible(missing, *scene);
   if (!missing.empty() && !computed(missing, set, runs, *scene, interrupted)) return {};
-  set.missing_volume = missing_volume(*scene, t.finer);
+  // What they differ by is in their distance.
+  const double lack = missing_volume(*scene, t.finer);
+  set.missing_volume = std::max(0.0, lack - std::abs(missing_volume(*scene, t.coarser) - lack));
   if (!t.exact.empty()) {
     const ExactSolution& solution = exact_solution(t.exact);
     set.exact = solution.at(*scene, evaluation_points(*scene, scene->bodies.front()), sample_times(*scene));

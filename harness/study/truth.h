@@ -1,16 +1,16 @@
 // The truth of a case and how far it may be off:
 //
 //   error bar of a metric =
-//     against `finer`       distance(finer, coarser) + distance(rtol, rtol/100 on the body's mesh) + s |1 - V_h/V|
+//     against `finer`       distance(finer, coarser) + distance(rtol, rtol/100 on the body's mesh) + s d
 //                           or the distance to `exact` less its own bar, where that is more; s: Metric::per_mass x size
 //     against `same_mesh`   distance(rtol, rtol/100 on the body's mesh)
 //     against `exact`       relative error of the closed form's series x size of the truth in this metric
 //
-// Distances are taken in the metric's own measure. V_h: volume of the finer mesh, V of the shapes; both meshes of
-// graded bodies lack about as much of it, and of mass, which no distance between them shows. Size (Metric::size): 1
-// where a metric is relative to the whole truth, the largest displacement [m] for positions, that over the radius of
-// gyration [rad] for rotations, the same to a probe's own signal for probes. Truths but the exact one are full order,
-// stepped by SUNDIALS, and cached in the store.
+// Distances are taken in the metric's own measure. d = max(0, d_f - |d_c - d_f|), d_h = |1 - V_h/V|, V_h: volume of the
+// finer and of the coarser mesh, V of the shapes: what both lack of it, and of mass, no distance between them shows,
+// and graded ones lack about as much. Size (Metric::size): 1 where a metric is relative to the whole truth, the largest
+// displacement [m] for positions, that over the radius of gyration [rad] for rotations, the same to a probe's own
+// signal for probes. Truths but the exact one are full order, stepped by SUNDIALS, and cached in the store.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,7 @@ struct TruthSet {
   Trajectory same_mesh, loose;      // the body's mesh at a hundredth of the tolerance, and at the tolerance itself
   std::optional<Trajectory> exact;  // where the scene names a closed form
   double exact_bar = 0;             // [-] of its series, relative to its largest displacement
-  double missing_volume = 0;        // [-] of the finer mesh
+  double missing_volume = 0;        // [-] that both meshes lack
   const Trajectory& of(TruthKind kind) const;  // throws std::logic_error where there is none of that kind
 };
 
