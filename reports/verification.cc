@@ -68,11 +68,10 @@ Sheet verification_table(const Evaluation& evaluation) {
           "(Babuska and Suri 1987), and faster elsewhere: enough from 2 to 3 for p of 0.9, from 3 to 4 for p of 1.2. "
           "Strain energy at a clamp has p of 0.7: there the distance is 0.5 to 0.8 of that estimate, and tests hold it "
           "to a third mesh. Numbers of one place and largest values are known no better than twice the whole motion "
-          "is. Where only the cells about a contact are halved, the distance is that part's: what the finer mesh lacks "
+          "is. Where only the cells about a contact are halved, the distance is that part's: what both meshes lack "
           "of the mass is added, and where there is a closed form the distance to that is the least. Of relative "
-          "errors "
-          "e all that times 1 + e. Of closed forms the uncertainty is that of their series. A check holds only where "
-          "every value within it is inside the tolerance.",
+          "errors e all that times 1 + e. Of closed forms the uncertainty is that of their series. A check holds only "
+          "where every value within it is inside the tolerance.",
       .columns = {},
       .rows = {},
       .n_keys = 0};
