@@ -1,5 +1,5 @@
 # Targets for any build folder: `make report` runs the cases and writes the report as ./run report does, into the
-# source folder's results/ and report/; `make check` runs every test that needs no browser.
+# source folder's results/ and report/; `make check` runs every test that needs no browser, but the hard cases.
 add_custom_target(report
   COMMAND ${PROJECT_SOURCE_DIR}/cmake/write-report $<TARGET_FILE:modalbench>
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}

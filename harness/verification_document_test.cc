@@ -11,6 +11,7 @@
 
 #include "cases/scene/read_toml.h"
 #include "harness/catalogue.h"
+#include "harness/metrics/metric.h"
 #include "reports/check_cells.h"
 #include "reports/render.h"
 #include "reports/verification.h"
@@ -74,6 +75,28 @@ TEST(VerificationDocument, SaysThatEveryCheckHolds) {
         }
     }
   EXPECT_GT(n_checks, 1000);
+}
+
+// A number that has lost its bar would be held to its bound as if it were exact: no error goes without one. That of
+// closed forms, of the same modes or of a flight to the first touch, is rounding.
+TEST(VerificationDocument, GivesEveryErrorItsUncertainty) {
+  const std::regex row(
+      R"(\| [^|]* \| (?:quick|standard) \| ([^|]*): ([a-z-]+) \| [^|]* \| ([^|]*) \| [^|]* \| ([^|]*) \| .*)");
+  const std::regex number(R"(\d[\d.]*(?:e-?\d+)?)");
+  std::smatch cell;
+  int n_errors = 0;
+  for (const std::string& line : lines_of_document()) {
+    if (!std::regex_match(line, cell, row) || cell.str(1).starts_with("table ")) continue;
+    const std::string name = cell.str(2), reference = cell.str(3), uncertainty = cell.str(4);
+    if (metric(name).of_answer_alone) {
+      EXPECT_EQ(uncertainty, "none: of the answer alone") << line;
+      continue;
+    }
+    const bool closed = reference == "closed form of the same modes" || name == "first-touch";
+    EXPECT_TRUE(std::regex_match(uncertainty, number) || (closed && uncertainty == "below the digits shown")) << line;
+    ++n_errors;
+  }
+  EXPECT_GT(n_errors, 400);
 }
 
 // Sources of all tests, one after the other.

@@ -8,6 +8,7 @@
 #include "mechanics/contact/contact_steppers.h"
 #include "mechanics/system/exact.h"
 #include "mechanics/system/newmark.h"
+#include "reference/above_floor_test.h"
 #include "reference/finite_bodies_test.h"
 #include "reference/full_order.h"
 #include "reference/integrators_test.h"
@@ -25,13 +26,8 @@ constexpr double R = 0.06, g = 9.81;
 const Material jelly{1e6, 0.45, 1100};
 
 Scene dropped(const Shape& shape, double height, double drop, double duration, const Resolution& mesh = {2, {1}}) {
-  Scene scene = testing::finite_body(shape, jelly, mesh, {0, 1e-4});
-  scene.bodies[0].pose.position = {0.3, -0.2, height + drop};
-  scene.gravity = {0, 0, -g};
-  scene.obstacles.push_back({"floor", {HalfSpace{}, 0, {}}});
-  scene.contacts.push_back({.body = scene.bodies[0].name, .obstacle = "floor", .stiffness = 0});
-  scene.duration = duration;
-  return scene;
+  return testing::above_floor(testing::finite_body(shape, jelly, mesh, {0, 1e-4}), {0.3, -0.2, height + drop},
+                              duration);
 }
 
 struct Answered {

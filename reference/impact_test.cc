@@ -6,6 +6,7 @@
 
 #include "cases/scene/one_body.h"
 #include "mechanics/contact/contact_steppers.h"
+#include "reference/above_floor_test.h"
 #include "reference/full_model.h"
 #include "reference/full_order.h"
 #include "reference/integrators_test.h"
@@ -21,14 +22,7 @@ using testing::explicit_steps;
 constexpr double R = 0.06, drop = 0.05, g = 9.81;
 
 Scene dropped_ball() {
-  Scene scene = one_body(Sphere{R}, {1e6, 0.3, 1100, {}}, {2, {1}});
-  scene.bodies[0].pose.position = {0.3, -0.2, R + drop};
-  scene.gravity = {0, 0, -g};
-  scene.obstacles.push_back({"floor", {HalfSpace{}, 0, {}}});
-  scene.contacts.push_back({.body = scene.bodies[0].name, .obstacle = "floor", .stiffness = 0});
-  scene.duration = 0.16;
-  scene.loads.clear();
-  return scene;
+  return testing::above_floor(one_body(Sphere{R}, {1e6, 0.3, 1100, {}}, {2, {1}}), {0.3, -0.2, R + drop}, 0.16);
 }
 
 struct Drop {

@@ -30,14 +30,17 @@ inline Integrator average_acceleration() {
           }};
 }
 
-inline Integrator explicit_steps() {
-  return {"central-difference",
+using ContactSteps = std::unique_ptr<Stepper>(const System&, const std::vector<Contact>&, double h);
+
+template <ContactSteps* steps = &central_difference>
+Integrator explicit_steps() {
+  return {"explicit",
           "",
           [](const System&, const Settings&, double) { return std::unique_ptr<Stepper>(); },
           Integrator::Knob::time_step,
           true,
           [](const System& s, const std::vector<Contact>& c, const Settings& set, double) {
-            return central_difference(s, c, set.time_step);
+            return steps(s, c, set.time_step);
           }};
 }
 

@@ -6,6 +6,10 @@
 
 #include "cases/exact/exact.h"
 #include "cases/exact/exact_test_scenes.h"
+#include "harness/catalogue.h"
+#include "harness/store/scratch_folder_test.h"
+#include "harness/store/store.h"
+#include "reference/full_model.h"
 
 namespace mb {
 namespace {
@@ -79,7 +83,7 @@ struct AgreeingTruths : PulsedSphere {
   }
 };
 
-TEST(ErrorBar, HoldsWhatTheFinerMeshLacksOfTheMass) {
+TEST(ErrorBar, HoldsWhatBothMeshesLackOfTheMass) {
   AgreeingTruths sphere;
   EXPECT_DOUBLE_EQ(sphere.of_finer("displacement-error"), 0.01);
   EXPECT_GE(sphere.of_finer("probe-error", 0), 0.01);
@@ -91,6 +95,35 @@ TEST(ErrorBar, HoldsWhatTheFinerMeshLacksOfTheMass) {
             0);  // it lacks as much as the answer on its mesh
   sphere.truth.missing_volume = 0;
   EXPECT_EQ(sphere.of_finer("displacement-error"), 0);
+}
+
+double missing_volume_of_truths(const Resolution& finer, const Resolution& coarser) {
+  auto scene = std::make_shared<Scene>(one_body(Sphere{0.05}, {1e6, 0.3, 1000, {}}, {2, {2}}));
+  scene->duration = 2e-3;
+  scene->samples_per_second = scene->frame_rate = 1e3;
+  scene->bodies[0].pose.position = {0, 0, 0.051};
+  scene->obstacles.push_back({"floor", {HalfSpace{}, 0, {}}});
+  scene->contacts.push_back({.body = scene->bodies[0].name, .obstacle = "floor", .stiffness = 1e8});
+  scene->truth.relative_tolerance = 1e-3;
+  scene->truth.finer = finer;
+  scene->truth.coarser = coarser;
+  const ScratchFolder folder;
+  const auto set = truths(
+      scene, default_catalogue(), Store(folder.path()), [](const std::string&) {}, [] { return false; });
+  const double lack = missing_volume(*scene, finer), other = missing_volume(*scene, coarser);
+  EXPECT_GT(lack, 1e-6);
+  EXPECT_LE(lack, other);
+  return set ? set->missing_volume / lack : -1;
+}
+
+// What two meshes differ by is in the distance of their truths: cells of half the size lack a sixteenth, and the
+// coarser ones show the rest. Where only those about a contact are halved, most of what is lacking is the same in both.
+TEST(Truths, LackOfTheVolumeWhatBothMeshesLack) {
+  EXPECT_EQ(missing_volume_of_truths({2, {2}}, {2, {2}}), 1);
+  EXPECT_EQ(missing_volume_of_truths({2, {2}}, {1, {2}}), 0);
+  const double graded = missing_volume_of_truths({2, {2}, 2}, {2, {2}, 1});
+  EXPECT_GT(graded, 0.5);
+  EXPECT_LT(graded, 1);
 }
 
 TEST(ErrorBar, IsNoLessThanTheDistanceToAClosedForm) {
