@@ -39,6 +39,7 @@ void name_unstable(std::vector<Record>& marks, Limit limit) {
   for (Record& record : marks) {
     record.status = limit == Limit::passed ? unstable : unstable_by_theory;
     record.value = std::numeric_limits<double>::quiet_NaN();
+    record.error_bar.reset();
   }
 }
 

@@ -23,7 +23,7 @@ namespace mb {
 enum class Limit { kept, passed, passed_by_theory };
 Limit kept_limit(const std::vector<Record>& marks, const Integrator& integrator, const Grown& grown, double fed);
 
-// Gives them the status of such a limit (cases/contract/status.h), and no value.
+// Gives them the status of such a limit (cases/contract/status.h), neither value nor bar.
 void name_unstable(std::vector<Record>& marks, Limit limit);
 
 }  // namespace mb

@@ -83,11 +83,13 @@ TEST(Instability, InContactIsEnergyThatNothingBrought) {
 TEST(Instability, LeavesNoValue) {
   for (const Limit limit : {Limit::passed, Limit::passed_by_theory}) {
     std::vector<Record> marks{mark("impulse", 0.1), mark("energy-gain", 7)};
+    for (Record& record : marks) record.error_bar = 1e9;  // of a value as large
     name_unstable(marks, limit);
     for (const Record& record : marks) {
       EXPECT_TRUE(is_unstable(record.status));
       EXPECT_EQ(record.status == "unstable", limit == Limit::passed);
       EXPECT_TRUE(std::isnan(record.value));
+      EXPECT_FALSE(record.error_bar);
     }
   }
 }
