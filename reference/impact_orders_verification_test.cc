@@ -16,7 +16,7 @@ namespace {
 
 using testing::expect_verified;
 
-// Falls, is pressed for 14 ms, and flies again.
+// Falls for 14 ms, is pressed for 15, and flies again.
 Scene dropped_ball() {
   Scene scene = one_body(Sphere{0.06}, {1e6, 0.3, 1100, {}}, {2, {1}});
   scene.bodies[0].damping = Rayleigh{0, 1e-4};

@@ -9,6 +9,7 @@
 #include "harness/catalogue.h"
 #include "harness/store/scratch_folder_test.h"
 #include "harness/store/store.h"
+#include "reference/above_floor_test.h"
 #include "reference/full_model.h"
 
 namespace mb {
@@ -98,12 +99,9 @@ TEST(ErrorBar, HoldsWhatBothMeshesLackOfTheMass) {
 }
 
 double missing_volume_of_truths(const Resolution& finer, const Resolution& coarser) {
-  auto scene = std::make_shared<Scene>(one_body(Sphere{0.05}, {1e6, 0.3, 1000, {}}, {2, {2}}));
-  scene->duration = 2e-3;
+  auto scene = std::make_shared<Scene>(
+      testing::above_floor(one_body(Sphere{0.05}, {1e6, 0.3, 1000, {}}, {2, {2}}), {0, 0, 0.051}, 2e-3));
   scene->samples_per_second = scene->frame_rate = 1e3;
-  scene->bodies[0].pose.position = {0, 0, 0.051};
-  scene->obstacles.push_back({"floor", {HalfSpace{}, 0, {}}});
-  scene->contacts.push_back({.body = scene->bodies[0].name, .obstacle = "floor", .stiffness = 1e8});
   scene->truth.relative_tolerance = 1e-3;
   scene->truth.finer = finer;
   scene->truth.coarser = coarser;
