@@ -4,10 +4,12 @@
 #include <fmt/ostream.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <sstream>
 
+#include "cases/scene/nearest.h"
 #include "cases/scene/printable.h"
 #include "harness/commands/bytes.h"
 #include "harness/commands/command_again.h"
@@ -216,6 +218,15 @@ int guarded(const std::function<int()>& action, const std::string& command, cons
   }
 }
 
+// CLI11 says of a word in the place of a command that there is none, and helps with any.
+void expect_command(const CLI::App& app, const std::string& first) {
+  if (first.empty() || first.starts_with('-')) return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::ranges::find(names, first) != names.end()) return;
+  throw UsageError(fmt::format("no command '{}': {}", first, suggestion(first, names, "commands")));
+}
+
 // Help, or what is wrong with the words given, line by line without what would not print.
 int told(CLI::App& app, const CLI::ParseError& error, const Console& console) {
   std::ostringstream out, err;
@@ -251,6 +262,7 @@ int as_told(int argc, char** argv, const Catalogue& catalogue, const Console& co
   add_explain(app, catalogue, action);
   add_doctor(app, action);
   add_clean(app, catalogue, action);
+  expect_command(app, argc > 1 ? argv[1] : "");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

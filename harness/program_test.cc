@@ -249,7 +249,11 @@ TEST(ProgramCases, UsageErrorsAreExitCodeTwo) {
   const ScratchFolder scratch;
   written(scratch / "small.toml", small_case());
   EXPECT_EQ(modalbench(scratch.path(), {}).code, 2);
-  EXPECT_EQ(modalbench(scratch.path(), {"rnu"}).code, 2);
+  for (const std::vector<std::string>& words : {{"rnu"}, std::vector<std::string>{"rnu", "--help"}}) {
+    const Said unknown = modalbench(scratch.path(), words);
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("no command 'rnu': did you mean 'run'?"));
+  }
   EXPECT_EQ(modalbench(scratch.path(), {"run", "--profile", "quik"}).code, 2);
   EXPECT_EQ(modalbench(scratch.path(), {"run", "no-such-case"}).code, 2);
   EXPECT_EQ(modalbench(scratch.path(), {"run", "missing.toml"}).code, 2);

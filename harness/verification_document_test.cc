@@ -127,7 +127,7 @@ TEST(VerificationDocument, NamesNoTestThatIsGone) {
   EXPECT_GT(n_tests, 120);
 }
 
-TEST(VerificationDocument, IsOfOneCommitAndNothingElse) {
+TEST(VerificationDocument, SaysOfWhichCommitItsResultsAre) {
   const std::regex origin("Made by `modalbench report` from stored results of commit [0-9a-f]{12}; nothing here.*");
   EXPECT_TRUE(std::ranges::any_of(lines_of_document(), [&](const std::string& line) {
     return std::regex_match(line, origin);

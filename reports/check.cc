@@ -89,6 +89,11 @@ std::string no_column(const Finding& finding, const std::string& column) {
   return fmt::format("no column '{}'{}", column, meant ? ": did you mean '" + *meant + "'?" : "");
 }
 
+Footing footing_of(const Finding& finding, const Check& check) {
+  if (check.reference.empty()) return finding.footing;
+  return {check.reference, check.kind, finding.footing.uncertainty};
+}
+
 CheckResult judge(const Scene& scene, const Check& check, const std::vector<Finding>& findings) {
   CheckResult worst = blank(scene, check, "no record");
   for (const Finding& finding : findings) {
@@ -100,7 +105,7 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<Find
       if (finding.rows[i].empty() || !is_asked(check, finding.rows[i][0])) continue;
       if (!check.status.empty()) {
         worst = ended(scene, check, {text_at(finding, i, check.column)});
-        worst.footing = finding.footing;
+        worst.footing = footing_of(finding, check);
         if (!worst.holds) return worst;
         continue;
       }
@@ -110,7 +115,7 @@ CheckResult judge(const Scene& scene, const Check& check, const std::vector<Find
       CheckResult one = decided(scene, check, value, bar > 0 ? bar : 0);
       one.has_bar = !std::isnan(bar);
       one.unit = finding.columns[*column].unit;
-      one.footing = finding.footing;
+      one.footing = footing_of(finding, check);
       if (is_worse(one, worst)) worst = std::move(one);
     }
   }

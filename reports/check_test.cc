@@ -270,6 +270,10 @@ TEST(CheckResults, OfATableBarsCountAndItsUnitAndFootingComeAlong) {
   EXPECT_FALSE(result(std::numeric_limits<double>::infinity()).decidable);
   EXPECT_EQ(result(0).unit, "m");
   EXPECT_EQ(result(0).footing.kind, "second route");
+  check.reference = "a book", check.kind = "published";
+  EXPECT_EQ(result(0).footing.reference, "a book");
+  EXPECT_EQ(result(0).footing.kind, "published");
+  EXPECT_EQ(result(0).footing.uncertainty, "as the bars say");
 }
 
 TEST(CheckResults, CellsWithoutANumberAndColumnsThatAreMissingAreNotMeasured) {

@@ -155,6 +155,10 @@ bool read_mark(Section& section, const CheckContext& context, const Vocabulary& 
 }
 
 bool read_run(Section& section, const CheckContext& context, const Vocabulary& vocabulary, Check& check) {
+  for (const char* key : {"reference", "kind"})
+    if (section.has(key))
+      section.findings().error(section.where_key(key), fmt::format("'{}' in {} of a run", key, section.title()),
+                               "a run is held to 'truth'; of a table's numbers 'reference' and 'kind' say to what");
   const auto has_modes = read_contender(section, vocabulary, check);
   const bool is_marked = read_mark(section, context, vocabulary, check);
   if (has_modes && context.study) check_is_run(section, check, context, *has_modes);
@@ -176,6 +180,19 @@ void check_is_made(Section& section, const std::string& table, const CheckContex
   }
 }
 
+// What the number is held to, where its table cannot know: both or none.
+void read_footing(Section& section, Check& check) {
+  const bool has_kind = section.has("kind");
+  if (section.has("reference") != has_kind)
+    section.error(has_kind ? "kind" : "reference",
+                  fmt::format("{} has '{}' alone", section.title(), has_kind ? "kind" : "reference"),
+                  "'reference' says what the number is held to, 'kind' what sort of a thing that is");
+  check.reference = section.text("reference", most_label, "");
+  if (!has_kind) return;
+  const std::vector<std::string> kinds{"closed form", "published", "second route", "converged numbers", "property"};
+  check.kind = section.choice("kind", {kinds, "kind", "kinds"}).value_or("");
+}
+
 // Of a table that an analysis makes: every row of a column, or those that begin with `row`.
 bool read_table_check(Section& section, const CheckContext& context, const Vocabulary& vocabulary, Check& check) {
   for (const char* key : {"method", "metric", "truth", "modes", "rotation", "integrator", "time_step"}) {
@@ -188,6 +205,7 @@ bool read_table_check(Section& section, const CheckContext& context, const Vocab
   const auto table = section.name("table");
   const auto column = section.text("column", most_label);
   check.row = section.text("row", most_label, "");
+  read_footing(section, check);
   if (table && context.study && context.study->analyses.empty()) {
     section.error("table", "no analysis makes tables: [study] has no key 'analyses'");
   } else if (table) {

@@ -234,14 +234,14 @@ table = "budget"
 column = "truncation"
 row = "16"
 at_least = -3
+reference = "a book"
+kind = "published"
 why = "For a test."
 )")
                          .checks.back();
-  EXPECT_EQ(check.table, "budget");
-  EXPECT_EQ(check.column, "truncation");
-  EXPECT_EQ(check.row, "16");
-  EXPECT_EQ(check.method, "");
+  EXPECT_EQ(check.table + ", " + check.column + ", " + check.row, "budget, truncation, 16");
   EXPECT_EQ(check.at_least, -3);
+  EXPECT_EQ(check.reference + ", " + check.kind, "a book, published");
 }
 
 TEST(ReadCheck, of_a_method_without_mode_count_has_none) {

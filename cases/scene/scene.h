@@ -208,6 +208,7 @@ struct Check {
   std::optional<double> time_step = {};    // [s] of fixed steps; nothing: all
   std::vector<std::string> profiles = {};  // in which it is asked
   std::string status = {};                 // what all of the runs must end in, "unstable"; "": as metric and bound say
+  std::string reference = {}, kind = {};   // of a table: what this number is held to; "": as the table says
 };
 std::string runs_of(const Check& check);  // "eigenmodes r=16 newmark dt=0.001 s"; "" of a table
 

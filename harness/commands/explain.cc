@@ -102,7 +102,7 @@ std::string limit(const Check& check) {
           ? runs_of(check) + " " + (check.status.empty() ? check.metric + " against " + check.truth : "ends")
           : fmt::format("table {}, column {}{}", check.table, check.column, check.row.empty() ? "" : ", " + check.row);
   if (!check.status.empty()) return what + " " + check.status;
-  return fmt::format("{} {} {:g}", what, check.at_most ? "at most" : "at least",
+  return fmt::format("{} {} {}", what, check.at_most ? "at most" : "at least",
                      check.at_most ? *check.at_most : *check.at_least);
 }
 

@@ -66,6 +66,15 @@ TEST(ExplainTest, ACaseByNameAndByFile) {
   EXPECT_THROW(explain(folder.path(), "missing.toml"), CaseErrors);
 }
 
+TEST(ExplainTest, ALimitHasAllItsDigits) {
+  const ScratchFolder folder;
+  std::string text = small_case();
+  const size_t at = text.find("at_most = 0.5");
+  ASSERT_NE(at, std::string::npos);
+  written(folder / "small.toml", text.replace(at, 13, "at_most = 1.000000001"));
+  EXPECT_THAT(explain(folder.path(), "small.toml").out, HasSubstr("at most 1.000000001"));
+}
+
 TEST(ExplainTest, AnUnknownWordGetsTheNearest) {
   const ScratchFolder folder;
   try {

@@ -13,15 +13,16 @@ namespace mb {
 
 namespace {
 
-constexpr double explicit_share = 1.0 / 3;       // [-] of a Newmark step
-constexpr double adaptive_share = 30;            // [-] stages, error estimate and new factors of an adaptive step
-constexpr double sudden = 6;                     // [-] steps after a jump, to those of a smooth load
-constexpr double sudden_damped = 2;              // [-] where stiffness damping soon takes the high frequencies away
-constexpr double finite_share = 12;              // [-] of a linear step: stages iterate, each with factors of its own
-constexpr double reduced_step = 1e-6;            // [s] + 20 ns a mode: a step of decoupled equations
-constexpr double grade_per_sample = 1e-4;        // [s] marks at one time, and writing it
-constexpr double timing = 0.02;                  // [s] least total of repeated runs (measure.h)
-constexpr double repeated_below = 0.05;          // [s] (bench.h)
+constexpr double explicit_share = 1.0 / 3;  // [-] of a Newmark step
+constexpr double adaptive_share = 30;       // [-] stages, error estimate and new factors of an adaptive step
+constexpr double sudden = 6;                // [-] steps after a jump, to those of a smooth load
+constexpr double sudden_damped = 2;         // [-] where stiffness damping soon takes the high frequencies away
+constexpr double finite_share = 12;         // [-] of a linear step: stages iterate, each with factors of its own
+constexpr double reduced_step = 1e-6;       // [s] + 20 ns a mode: a step of decoupled equations
+constexpr double grade_per_sample = 1e-4;   // [s] marks at one time, and writing it
+constexpr double timing = 0.02;             // [s] least total of repeated runs (measure.h)
+constexpr double repeated_below = 0.05;     // [s] (bench.h)
+constexpr double stability_map_of_modes = 8, stability_map_of_contact = 40;  // [s] in one process
 constexpr double analysis_per_mode_count = 0.4;  // [-] share of making the modes of every count, for each analysis
 
 struct Mesh {
@@ -143,7 +144,12 @@ class CaseEstimate {
     for (const int r : scene_.study.modes) once += modes(own, r);
     // Those of contact answer in full order, too, in the mean about once.
     const double full = scene_.contacts.empty() ? 0 : truth_run(own_meshes(scene_), scene_.truth.relative_tolerance);
-    return static_cast<double>(scene_.study.analyses.size()) * (analysis_per_mode_count * once + full);
+    double maps = 0;
+    for (const std::string& analysis : scene_.study.analyses)
+      maps += analysis == "stability-map"       ? stability_map_of_modes
+              : analysis == "contact-stability" ? stability_map_of_contact
+                                                : 0;
+    return static_cast<double>(scene_.study.analyses.size()) * (analysis_per_mode_count * once + full) + maps;
   }
 
   const Scene& scene_;
