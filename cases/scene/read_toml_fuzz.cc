@@ -38,7 +38,7 @@ void require_texts_print(const Scene& scene) {
   for (const std::string* text : {&scene.purpose, &scene.source, &scene.hard})
     require(!unprintable(*text, true), "prose that does not print");
   for (const Check& check : scene.checks) {
-    require(prints(check.column) && prints(check.row), "a check that does not print");
+    require(prints(check.column) && prints(check.row) && prints(check.reference), "a check that does not print");
     require(!unprintable(check.why, true), "a reason that does not print");
   }
 }
