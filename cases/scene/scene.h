@@ -184,7 +184,7 @@ struct Study {
 
 struct TruthSettings {
   double relative_tolerance;  // [-] of the adaptive integration, in [1e-12, 1e-2]; error bars take a hundredth of it
-  Resolution finer, coarser;  // truth `finer` and the neighbour whose distance is its discretisation bar: of all bodies
+  Resolution finer, coarser;  // truth `finer` and its neighbour, which tells its discretisation bar: of all bodies
   std::string exact;          // name of a closed form (cases/exact/exact.h), or ""
 };
 

@@ -86,7 +86,7 @@ VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other) {
 }
 
 AnotherMesh another_mesh(const Scene& scene) {
-  if (scene.truth.finer == own_meshes(scene)) return {scene.truth.coarser, 1};
+  if (scene.truth.finer == own_meshes(scene)) return {scene.truth.coarser, safety_of_meshes};
   return {scene.truth.finer, 2};
 }
 

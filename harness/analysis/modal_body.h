@@ -51,11 +51,12 @@ SeenModes seen_modes(const FullModel& full, const Quadrature& volume, const Mode
 VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other);
 
 // What tells how far numbers of the own mesh are off: the truth's `finer`. Where the error of that is half of the own's
-// at most, |own - exact| <= 2 |own - finer|; where the own is `finer`, |own - exact| <= |own - coarser| likewise. What
-// a mesh leaves as it is, as the sides of a cylinder's cells, it tells nothing of: 1e-8 of frequencies of torsion.
+// at most, |own - exact| <= 2 |own - finer|; where the own is `finer`, |own - exact| <= |own - coarser| likewise, with
+// the factor of safety of truths (harness/study/truth.h). What a mesh leaves as it is, as the sides of a cylinder's
+// cells, it tells nothing of: 1e-8 of frequencies of torsion.
 struct AnotherMesh {
   Resolution meshes;
-  double bar_per_distance;  // [-] 2, or 1 of `coarser`
+  double bar_per_distance;  // [-] 2, or 5/4 of `coarser`
 };
 AnotherMesh another_mesh(const Scene& scene);
 

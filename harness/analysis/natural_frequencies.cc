@@ -95,7 +95,7 @@ double convergence_index(const std::vector<OnMesh>& meshes, const MeshSequence& 
   const auto f = [&](size_t i) { return meshes[row.meshes[i]].hertz(mode); };
   const double order = 2.0 * meshes[row.meshes[0]].resolution.degree;
   if (row.meshes.size() == 2) return gci_of_two(f(0), f(1), row.ratio, order).value_or(nan);
-  const auto three = grid_convergence(f(0), f(1), f(2), row.ratio);
+  const auto three = grid_convergence(f(0), f(1), f(2), row.ratio, order);
   return three ? three->fine : nan;
 }
 
@@ -106,7 +106,8 @@ std::string index_note(const std::vector<OnMesh>& meshes, const MeshSequence& ro
       " GCI: grid convergence index (Roache 1998) of {}, the band about its frequency without the reference, "
       "from {} meshes at a ratio of {:.4g} with a factor of {}.",
       to_string(meshes[row.meshes[0]].resolution), row.meshes.size(), row.ratio,
-      row.meshes.size() == 3 ? "1.25 and their own order" : "3 and the order of theory, twice the degree");
+      row.meshes.size() == 3 ? "1.25 and their own order, 3 where that is off the order of theory by more than a tenth"
+                             : "3 and the order of theory, twice the degree");
 }
 
 }  // namespace

@@ -14,15 +14,14 @@ PowerLaw power_law(const VectorXd& x, const VectorXd& y) {
     if (x(i) > 0 && y(i) > 0 && std::isfinite(x(i)) && std::isfinite(y(i))) usable.push_back(i);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto n = static_cast<Index>(usable.size());
-  if (n < 2) return {nan, nan, n};
+  if (n < 3) return {nan, nan, n};
   VectorXd u = x(usable).array().log(), v = y(usable).array().log();
   u.array() -= u.mean();
   v.array() -= v.mean();
   const double spread = u.squaredNorm();
   if (!(spread > 1e-24 * static_cast<double>(n))) return {nan, nan, n};  // one x up to rounding
   const double p = u.dot(v) / spread;
-  const double error = n < 3 ? nan : std::sqrt((v - p * u).squaredNorm() / static_cast<double>(n - 2) / spread);
-  return {p, error, n};
+  return {p, std::sqrt((v - p * u).squaredNorm() / static_cast<double>(n - 2) / spread), n};
 }
 
 bool agrees(const PowerLaw& law, double claimed) {

@@ -8,8 +8,8 @@
 namespace mb {
 
 struct PowerLaw {
-  double exponent;        // [-] NaN where fewer than two different x are left
-  double standard_error;  // [-] NaN where fewer than three points are
+  double exponent;        // [-] NaN where x are all the same, and where the standard error is
+  double standard_error;  // [-] NaN where fewer than three points are: two say nothing of how well a line fits
   Index n_points;         // those with 0 < x, y < infinity; others are left out
 };
 PowerLaw power_law(const VectorXd& x, const VectorXd& y);

@@ -31,17 +31,18 @@ TEST(PowerLaw, StandardErrorIsThatOfLeastSquares) {
 }
 
 TEST(PowerLaw, LeavesOutWhatHasNoLogarithm) {
-  const VectorXd x{{1, 2, 4, 8, 16, 32}}, y{{3, 6, 0, -1, NAN, INFINITY}};
+  const VectorXd x{{1, 2, 4, 8, 16, 32, 64}}, y{{3, 6, 0, -1, NAN, INFINITY, 192}};
   const PowerLaw law = power_law(x, y);
-  EXPECT_EQ(law.n_points, 2);
+  EXPECT_EQ(law.n_points, 3);
   EXPECT_NEAR(law.exponent, 1, 1e-13);
-  EXPECT_TRUE(std::isnan(law.standard_error));
+  EXPECT_NEAR(law.standard_error, 0, 1e-13);
   EXPECT_TRUE(agrees(law, 1));
 }
 
 TEST(PowerLaw, OfNothingIsNone) {
   EXPECT_TRUE(std::isnan(power_law(VectorXd(), VectorXd()).exponent));
   EXPECT_TRUE(std::isnan(power_law(VectorXd{{2}}, VectorXd{{3}}).exponent));
+  EXPECT_TRUE(std::isnan(power_law(VectorXd{{2, 4}}, VectorXd{{3, 6}}).exponent));  // nothing tells how well it fits
   EXPECT_TRUE(std::isnan(power_law(VectorXd{{2, 2, 2}}, VectorXd{{3, 4, 5}}).exponent));  // one abscissa
   EXPECT_FALSE(agrees(power_law(VectorXd(), VectorXd()), 1));
   EXPECT_FALSE(agrees({1, 0.3, 9}, 1));  // known too badly to agree with anything

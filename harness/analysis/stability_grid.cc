@@ -57,14 +57,24 @@ double swing_of_symplectic_euler(double x, double a) {
   return least > 0 ? 1 / least : nan;
 }
 
+// Of central differences whose damping lags, likewise.
+double swing_of_lagged_differences(double x, double a) {
+  const Matrix2d Q{{x * (1 - a), (a - x * x) / 2}, {(a - x * x) / 2, x}};
+  if (!(a < 1 && Q.determinant() > 0)) return nan;
+  const Eigen::Vector2d l{1 - a / 2, -x / 2}, start{x / (2 * (1 - a)), 1};
+  const Matrix2d energy = l * l.transpose() + Matrix2d{{0, 0}, {0, 1}};
+  return start.dot(Q * start) * spectral_radius(Matrix2d(Q.inverse() * energy));
+}
+
 // Of modes alike in energy the mean of what each may have.
-double energy_of_theory(const std::string& integrator, const SteppedModes& modes, double dt) {
-  if (integrator == "newmark" || integrator == "central-difference") return 1;
-  if (integrator != "symplectic-euler" || modes.coupled.K.size() > 0) return nan;
+double energy_of_theory(const Scheme& scheme, const SteppedModes& modes, double dt) {
+  if (scheme.name == "newmark" || scheme.name == "central-difference") return 1;
+  const bool lags = scheme.name == "central-difference, lagged damping";
+  if (!(lags || scheme.name == "symplectic-euler") || modes.coupled.K.size() > 0) return nan;
   double sum = 0;
   for (Index i = 0; i < modes.omega.size(); ++i) {
-    const double x = modes.omega[i] * dt;
-    sum += swing_of_symplectic_euler(x, 2 * modes.zeta[i] * x);
+    const double x = modes.omega[i] * dt, a = 2 * modes.zeta[i] * x;
+    sum += lags ? swing_of_lagged_differences(x, a) : swing_of_symplectic_euler(x, a);
   }
   return sum / static_cast<double>(modes.omega.size());
 }
@@ -106,7 +116,7 @@ MappedSystem mapped_system(System system, const VectorXd& times, double duration
 StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps) {
   const Scheme* scheme = scheme_of(integrator.name, mapped.system);
   const double radius = scheme ? step_radius(mapped.modes, *scheme, dt) : nan;
-  const double bound = radius <= not_growing ? energy_of_theory(integrator.name, mapped.modes, dt) : nan;
+  const double bound = scheme && radius <= not_growing ? energy_of_theory(*scheme, mapped.modes, dt) : nan;
   StepCell cell{dt, radius, mapped.modes.omega.size(), n_steps, 0, bound, nan, StepClass::unstable, {}, false};
   cell.predicted = prediction(cell.radius, n_steps);
   cell.energy = largest_energy(mapped, integrator, dt, n_steps);
@@ -146,7 +156,7 @@ double predicted_limit(const MappedSystem& mapped, const std::string& integrator
   const auto& [omega, zeta, coupled] = mapped.modes;
   if (coupled.K.size() == 0) return measured_limit(*scheme, omega, without_rounding(omega, zeta)).dt;
   const MatrixXd C = (coupled.C.array().abs() > rounding_of_damping(coupled.C)).select(coupled.C, 0);
-  return stable_step({coupled.K, C}, scheme->integrator);
+  return stable_step({coupled.K, C}, scheme->name);
 }
 
 }  // namespace mb

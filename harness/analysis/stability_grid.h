@@ -15,6 +15,11 @@
 //
 // so that from rest E_n/E_0 <= x/lambda_min(Q) = 1/(1 - a/2 - sqrt(a^2 + (a/x - x)^2)/2), undamped 1/(1 - x/2), below
 // 1e4 but for the last fiftieth of a per cent before the limit (Hairer, Lubich & Wanner 2006, sect. I.1, for a = 0).
+// Central differences whose damping lags move (w, omega u) by the same A, w the rate half a step before: with
+//
+//   v = (1 - a/2) w - x/2 omega u = l^T (w, omega u),   w_0 = x/(2 (1 - a)) omega u_0
+//
+// E_n/E_0 <= y_0^T Q y_0 lambda_max(Q^-1 (l l^T + e e^T)), y = (w, omega u)/(omega u_0), e = (0, 1); undamped 1.
 #pragma once
 
 #include <optional>
@@ -48,7 +53,8 @@ struct StepCell {
   Index n_modes;
   long n_steps;   // of free vibration
   double energy;  // [-] largest E(t)/E(0); infinity: no number
-  double bound;   // [-] of it, by the above; NaN past the limit, where damping couples modes, and of other schemes
+  double bound;   // [-] of it, by the above; NaN past the limit, where damping couples modes, where it lags and
+                  // steps of a mode do not swing, and of other schemes
   double error;   // [-] NaN where unstable
   StepClass found;
   std::optional<StepClass> predicted;  // whether unstable, else stable; none: unknown, or growth too slow to be seen

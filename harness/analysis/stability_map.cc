@@ -22,7 +22,7 @@ constexpr Index most_unknowns = 2500;  // [-] of a mesh whose modes are all foun
 constexpr Index most_coupled = 350;    // [-] likewise where damping couples them: 0.7 s for every step that is tried
 constexpr double past_the_limit = 10;  // [-] the grid ends so far beyond the limit of the slowest system
 // Explicit Euler's limit, 2 zeta/omega, lies far below the grid. In modes steps are cheap enough to go there.
-constexpr double below_the_limit = 30, most_modal_steps = 400000;
+constexpr double below_the_limit = 30, below_the_grid = 5, most_modal_steps = 400000;
 // Full order as far as to a third of its limit, where its steps times its modes allow it.
 constexpr double below_the_whole_limit = 3, most_whole_work = 4e9;
 
@@ -30,15 +30,16 @@ Finding map_table() {
   return table(
       "stability-map", "stability-map", "Steps that are stable, inaccurate and unstable",
       "Every integrator of fixed step on the modes of the mesh, over mode count and step, and on full order, in all "
-      "modes of a mesh of at most 2500 unknowns (350 where damping couples modes; the limit of any mesh is in "
-      "step-limits), those with the mass lumped where explicit schemes step held bodies; in modes down to a thirtieth "
-      "of the limit of the most, on full order to a third of its own, as far as 400 thousand steps and 4e9 steps times "
-      "modes go. Unstable: the energy "
-      "of free vibration, all modes alike, passes 1e4 of what it was within 1000 steps, or there is no number. "
-      "Inaccurate: bounded, and under the scene's loads more than 5 % off the closed form of the same modes "
-      "(M norm, elastic part). Spectral radius: the largest of one step over the modes, of all of them together where "
-      "damping couples them; limit: the step where it passes 1. Growth that would not show in 1000 steps is too slow "
-      "to be seen; at the limit, within 2e-4 of it, what is bounded may pass 1e4.",
+      "modes of a mesh of at most 2500 unknowns (350 where damping couples modes; the limit of any mesh is in step- "
+      "limits), of the mass and with the damping that it steps by: explicit schemes lump the mass, and central "
+      "differences then lag all damping but that of mass; in modes down to a thirtieth of the limit of the most, or "
+      "to a fiftieth of 2/omega where there is no limit, on full order to a third of its own, as far as 400 thousand "
+      "steps and 4e9 steps times modes go. Unstable: the energy of free vibration, all modes alike, passes 1e4 of "
+      "what it was within 1000 steps, or there is no number. Inaccurate: bounded, and under the scene's loads more "
+      "than 5 % off the closed form of the same modes (M norm, elastic part). Spectral radius: the largest of one "
+      "step over the modes, of all of them together where damping couples them; limit: the step where it passes 1. "
+      "Growth that would not show in 1000 steps is too slow to be seen; at the limit, within 2e-4 of it, what is "
+      "bounded may pass 1e4.",
       {{"integrator", ""},
        {"modes r", ""},
        {"system", ""},
@@ -61,7 +62,8 @@ Finding summary_table() {
       "all cells and steps, of that at the start of free vibration. Energy over its bound: the same of cells "
       "within their limit, over what theory has, 1 of average acceleration and central differences, of symplectic "
       "Euler the mean over the modes of 1/(1 - a/2 - sqrt(a^2 + (a/x - x)^2)/2), x = omega dt, a = 2 zeta x, undamped "
-      "1/(1 - x/2); none where damping couples them.",
+      "1/(1 - x/2), of central differences whose damping lags by the same invariant; none where damping couples "
+      "modes.",
       {{"integrator", ""},
        {"cells", ""},
        {"stable", ""},
@@ -77,22 +79,36 @@ Finding summary_table() {
 }
 
 struct Mapped {
-  std::vector<MappedSystem> reduced;             // by mode count, ascending
-  std::optional<MappedSystem> implicit, lumped;  // full order, as implicit and as explicit schemes step it
+  std::vector<MappedSystem> reduced;                 // by mode count, ascending
+  std::optional<MappedSystem> implicit, explicitly;  // full order, as implicit and as explicit schemes step it
 };
 
-MappedSystem mapped(const System& system, const Modes& modes, const Scene& scene) {
-  return mapped_system(project(system, modes), sample_times(scene), scene.duration, scene.study.load_tolerance);
+MappedSystem mapped(System in_modes, const Scene& scene) {
+  return mapped_system(std::move(in_modes), sample_times(scene), scene.duration, scene.study.load_tolerance);
 }
 
-// In all modes of the mesh, by a dense solver.
-MappedSystem mapped_whole(System system, const Scene& scene) {
-  system.lumped_mass = {};
+// In all modes of the mesh and of its one mass, by a dense solver.
+System in_all_modes(const System& system) {
   System undamped = system;  // whose modes a dashpot does not couple
   undamped.modal_damping = {MatrixXd(system.M.rows(), 0), VectorXd(0)};
   ModalForm form = modal_form(undamped);
   const VectorXd omega = form.lambda.cwiseSqrt();
-  return mapped(system, {system.R.cols(), omega, std::move(form.Phi), {}, omega.cwiseAbs2().maxCoeff()}, scene);
+  return project(system, {system.R.cols(), omega, std::move(form.Phi), {}, omega.cwiseAbs2().maxCoeff()});
+}
+
+// In modes of the lumped mass that is the unit matrix, and stays the lumped one, by which integrators damp as they do
+// on the mesh.
+System in_all_lumped_modes(const System& system) {
+  System in_modes = in_all_modes(with_lumped_mass(system));
+  in_modes.lumped_mass = in_modes.M;
+  return in_modes;
+}
+
+// Nothing where damping couples more modes than eigenvalues of a step are found of.
+std::optional<MappedSystem> mapped_whole(System in_modes, const Scene& scene) {
+  const bool coupled = stepped_modes(in_modes).coupled.K.size() > 0;
+  if (coupled && in_modes.M.rows() > most_coupled) return {};
+  return mapped(std::move(in_modes), scene);
 }
 
 Mapped mapped_systems(const AnalysisContext& context) {
@@ -104,18 +120,14 @@ Mapped mapped_systems(const AnalysisContext& context) {
     const Modes kept = leading(body.modes, r);
     if (kept.size() == kept.n_rigid) continue;
     if (!all.reduced.empty() && kept.size() == all.reduced.back().system.M.rows()) continue;
-    all.reduced.push_back(mapped(body.system, kept, scene));
+    all.reduced.push_back(mapped(project(body.system, kept), scene));
   }
   const System& system = body.system;
   if (system.stored_energy || all.reduced.empty()) return all;
   const bool coupled = all.reduced.back().modes.coupled.K.size() > 0;
   if (system.M.rows() > (coupled ? most_coupled : most_unknowns)) return all;
-  all.implicit = mapped_whole(system, scene);
-  if (system.lumped_mass.rows() > 0 && system.R.cols() == 0) {
-    System lumped = system;
-    lumped.M = system.lumped_mass;
-    all.lumped = mapped_whole(std::move(lumped), scene);
-  }
+  all.implicit = mapped_whole(in_all_modes(with_consistent_mass(system)), scene);
+  all.explicitly = system.lumped_mass.rows() > 0 ? mapped_whole(in_all_lumped_modes(system), scene) : all.implicit;
   return all;
 }
 
@@ -138,12 +150,14 @@ std::vector<double> steps_from(double last, std::vector<double> grid) {
   return grid;
 }
 
-// To below the least limit of an integrator on its modes, where it is stable at any step.
+// To below the least limit of an integrator on its modes, where it is stable at any step. Without a limit two steps
+// more, for a fit of what converges slowly.
 std::vector<double> steps_in_modes(const Mapped& all, const std::string& integrator, const std::vector<double>& grid,
                                    double duration) {
   double least = std::numeric_limits<double>::infinity();
   for (const MappedSystem& mapped : all.reduced) least = std::fmin(least, predicted_limit(mapped, integrator));
   if (!(least > 0)) return grid;
+  if (std::isinf(least)) return steps_from(std::max(grid.front() / below_the_grid, duration / most_modal_steps), grid);
   return steps_from(std::max(least / below_the_limit, duration / most_modal_steps), grid);
 }
 
@@ -218,7 +232,7 @@ std::vector<Finding> stability_map(const AnalysisContext& context) {
     const double duration = context.scene->duration;
     const std::vector<double> in_modes = steps_in_modes(all, integrator.name, steps, duration);
     for (const MappedSystem& mapped : all.reduced) add(mapped, in_modes, false);
-    const auto& whole = integrator.conditionally_stable && all.lumped ? all.lumped : all.implicit;
+    const auto& whole = integrator.conditionally_stable ? all.explicitly : all.implicit;
     if (whole) add(*whole, steps_of_whole(*whole, integrator.name, steps, duration), true);
     const auto summarise = [&summary, &integrator](const Summary& of, const std::string& name) {
       summary.rows.push_back(of.row(name));

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "harness/analysis/oscillators_test.h"
 #include "harness/catalogue.h"
+#include "mechanics/system/oscillators_test.h"
 
 namespace mb {
 namespace {

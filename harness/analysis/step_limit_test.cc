@@ -7,11 +7,11 @@
 
 #include "cases/scene/read_toml.h"
 #include "harness/analysis/context_test.h"
-#include "harness/analysis/oscillators_test.h"
 #include "harness/catalogue.h"
 #include "harness/study/truth.h"
 #include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/algebra/worse_test.h"
+#include "mechanics/system/oscillators_test.h"
 #include "mechanics/verified_test.h"
 
 namespace mb {

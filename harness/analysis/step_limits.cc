@@ -86,13 +86,13 @@ Subject full_subject(const std::string& name, const ModalBody& body, System run,
 Finding limits_table() {
   return table(
       "step-limits", "step-limits", "Largest stable time steps, by formula and measured",
-      "Measured: bisection of the spectral radius of the one-step amplification of every mode kept, to 1e-9; "
-      "the limit is the least over the modes. Formula: theory mode by mode, likewise the least. Damping ratios "
-      "are those of the system's damping operator. Full order: the highest mode of the mesh and the lowest "
-      "ones that were solved for, with the consistent and with the lumped mass. A limit of 0 means that every "
-      "step is unstable. Over full order: the limit over that of the mesh with its consistent mass. Rigid modes drift "
-      "as they should and set no limit. Bars: of reduced systems, twice the distance to what the same modes of the "
-      "finer mesh of the case set, and rounding; limits of full order are the mesh's own.",
+      "Measured: bisection of the spectral radius of the one-step amplification of every mode kept, to 1e-9; the "
+      "limit is the least over the modes. Formula: theory mode by mode, likewise the least. Damping ratios are those "
+      "of the system's damping operator. Full order: the highest mode of the mesh and the lowest ones that were "
+      "solved for, with the consistent and with the lumped mass. Integrator: that which steps the system so. A limit "
+      "of 0 means that every step is unstable. Over full order: the limit over that of the mesh with its consistent "
+      "mass. Rigid modes drift as they should and set no limit. Bars: of reduced systems, twice the distance to what "
+      "the same modes of the finer mesh of the case set, and rounding; limits of full order are the mesh's own.",
       {{"system", ""},
        {"modes r", ""},
        {"scheme", ""},
@@ -183,7 +183,7 @@ std::vector<FindingCell> limit_row(const Subject& s, const Scheme& scheme, const
   return {s.name,
           s.r,
           scheme.name,
-          scheme.integrator.empty() ? "none" : scheme.integrator,
+          steps_as(scheme, s.system) ? scheme.integrator : "none",
           s.omega(last),
           s.zeta(last),
           scheme.formula_text,

@@ -1,6 +1,6 @@
 // What an analysis finds, with what it is held to and an error bar beside every number that follows from the truth of
-// the case or from the body's mesh: the distance of the same tables told of the truth's neighbour, `coarser` in the
-// place of `finer` and rtol in that of rtol/100 (harness/study/truth.h), or twice that to `finer` in the place of the
+// the case or from the body's mesh: 5/4 of the distance of the same tables told of the truth's neighbour, `coarser` in
+// the place of `finer` and rtol in that of rtol/100 (harness/study/truth.h), or twice that to `finer` in the place of the
 // body's mesh (another_mesh), the larger of both.
 #pragma once
 

@@ -14,7 +14,7 @@ namespace {
 
 // Pressure recovery on three meshes: NASA's worked example, in double precision.
 TEST(GridConvergenceVerification, WorkedExample) {
-  const auto g = grid_convergence(0.97050, 0.96854, 0.96178, 2);
+  const auto g = grid_convergence(0.97050, 0.96854, 0.96178, 2, 1.8);
   ASSERT_TRUE(g);
   testing::expect_verified(
       {.quantity = "observed order and extrapolated pressure recovery, from three meshes",
@@ -39,7 +39,7 @@ TEST(GridConvergenceTest, PowersOfTheSpacing) {
       for (const double c : {0.02, -0.02})
         for (const double limit : {5.0, -5.0}) {
           const auto f = [&](double h) { return limit + c * std::pow(h, order); };
-          const auto g = grid_convergence(f(1), f(ratio), f(ratio * ratio), ratio);
+          const auto g = grid_convergence(f(1), f(ratio), f(ratio * ratio), ratio, order);
           ASSERT_TRUE(g);
           // differences of 0.003 of numbers of size 5: eps x 5/0.003, over ln 1.3
           EXPECT_NEAR(g->order, order, 1e-11);
@@ -51,19 +51,30 @@ TEST(GridConvergenceTest, PowersOfTheSpacing) {
 
 TEST(GridConvergenceTest, NothingWithoutMonotoneConvergence) {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE(grid_convergence(1, 1, 1, 2));
-  EXPECT_FALSE(grid_convergence(1, 1, 2, 2));    // the finer two agree: of any order
-  EXPECT_FALSE(grid_convergence(1, 2, 2, 2));    // the coarser two agree
-  EXPECT_FALSE(grid_convergence(1, 2, 1.5, 2));  // oscillates
-  EXPECT_FALSE(grid_convergence(1, 2, 2.5, 2));  // drifts apart
-  EXPECT_FALSE(grid_convergence(1, 2, 3, 2));    // order 0
-  EXPECT_FALSE(grid_convergence(0, 1, 5, 2));    // relative to nothing
-  EXPECT_FALSE(grid_convergence(-1, 0, 5, 2));
+  EXPECT_FALSE(grid_convergence(1, 1, 1, 2, 2));
+  EXPECT_FALSE(grid_convergence(1, 1, 2, 2, 2));    // the finer two agree: of any order
+  EXPECT_FALSE(grid_convergence(1, 2, 2, 2, 2));    // the coarser two agree
+  EXPECT_FALSE(grid_convergence(1, 2, 1.5, 2, 2));  // oscillates
+  EXPECT_FALSE(grid_convergence(1, 2, 2.5, 2, 2));  // drifts apart
+  EXPECT_FALSE(grid_convergence(1, 2, 3, 2, 2));    // order 0
+  EXPECT_FALSE(grid_convergence(0, 1, 5, 2, 2));    // relative to nothing
+  EXPECT_FALSE(grid_convergence(-1, 0, 5, 2, 2));
   for (const double bad : {nan, infinity, -infinity}) {
-    EXPECT_FALSE(grid_convergence(bad, 1, 3, 2));
-    EXPECT_FALSE(grid_convergence(1, bad, 3, 2));
-    EXPECT_FALSE(grid_convergence(1, 2, bad, 2));
+    EXPECT_FALSE(grid_convergence(bad, 1, 3, 2, 2));
+    EXPECT_FALSE(grid_convergence(1, bad, 3, 2, 2));
+    EXPECT_FALSE(grid_convergence(1, 2, bad, 2, 2));
   }
+}
+
+// Differences that are small by chance, and orders below that of theory.
+TEST(GridConvergenceTest, OffTheOrderOfTheoryTheBandIsWide) {
+  const auto lucky = grid_convergence(1, 1.0001, 2, 2, 2), slow = grid_convergence(1, 1.1, 1.25, 2, 2);
+  ASSERT_TRUE(lucky && slow);
+  EXPECT_NEAR(lucky->order, std::log2(0.9999 / 1e-4), 1e-9);
+  EXPECT_NEAR(lucky->fine, 3 * 1e-4 / (4 - 1), 1e-12) << "no better than of order 2";
+  EXPECT_NEAR(slow->fine, 3 * 0.1 / (1.5 - 1), 1e-12);
+  for (const double bad : {0.0, -1.0, std::nan("")})
+    EXPECT_THROW(grid_convergence(1, 2, 4, 2, bad), std::invalid_argument);
 }
 
 TEST(GridConvergenceTest, OfTwoMeshesIsThreeTimesTheErrorOfTheOrderOfTheory) {
@@ -81,7 +92,7 @@ TEST(GridConvergenceTest, OfTwoMeshesIsThreeTimesTheErrorOfTheOrderOfTheory) {
 
 TEST(GridConvergenceTest, BadRatio) {
   for (const double ratio : {1.0, 0.5, 0.0, -2.0, std::nan(""), std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(grid_convergence(1, 2, 4, ratio), std::invalid_argument);
+    EXPECT_THROW(grid_convergence(1, 2, 4, ratio, 2), std::invalid_argument);
 }
 
 }  // namespace

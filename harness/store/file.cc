@@ -124,10 +124,17 @@ void remove_file(const std::filesystem::path& file) {
 FolderLock::FolderLock(const std::filesystem::path& folder) {
   make_folder(folder, folder);
   fd_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  while (fd_ >= 0 && ::flock(fd_, LOCK_EX) != 0 && errno == EINTR) continue;
+  if (fd_ < 0) throw StoreError(folder, "cannot be opened to be locked: " + reason());
+  while (::flock(fd_, LOCK_EX) != 0) {
+    if (errno == EINTR) continue;
+    if (errno == ENOSYS || errno == EOPNOTSUPP || errno == ENOLCK || errno == EINVAL) break;  // knows no locks
+    const std::string why = reason();
+    ::close(fd_);
+    throw StoreError(folder, "cannot be locked: " + why);
+  }
 }
 FolderLock::~FolderLock() {
-  if (fd_ >= 0) ::close(fd_);  // which ends the lock
+  ::close(fd_);  // which ends the lock
 }
 
 std::string read_file(const std::filesystem::path& file, std::uintmax_t max_size) {

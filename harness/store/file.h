@@ -37,7 +37,7 @@ void remove_file(const std::filesystem::path& file);
 // however that does. Makes the folder where it is missing; on file systems without locks nothing is held.
 class FolderLock {
  public:
-  explicit FolderLock(const std::filesystem::path& folder);  // throws StoreError where there can be no folder
+  explicit FolderLock(const std::filesystem::path& folder);  // throws StoreError where it cannot be had
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

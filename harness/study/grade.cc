@@ -138,7 +138,7 @@ std::vector<Record> Grader::truth_marks(const Record& base) const {
     record.value = mark.value;
     record.status = mark.status;
     record.work = truth_.finer.work;
-    if (const double bar = bars_.at({i, TruthKind::finer}); std::isfinite(bar)) record.error_bar = bar;
+    put_bar(record, bars_.at({i, TruthKind::finer}));
     records.push_back(std::move(record));
   }
   return records;

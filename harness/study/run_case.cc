@@ -128,7 +128,7 @@ class CaseRun {
       throw;
     } catch (const std::exception& error) {
       const Record record = failed_truth(*scene_, failure_text(error, memory(*scene_)));
-      keep_failure(store_, record.run, {record});
+      keep_unless_answered(store_, record.run, {record});
       throw;
     }
   }
@@ -141,7 +141,8 @@ class CaseRun {
       for (const RefusedLine& line :
            store_.has_records(one.run) ? store_.read_records_of(one.run).refused : std::vector<RefusedLine>())
         progress_(to_string(line) + "; computed again");
-      store_.write_records(one.run, one.run == finer ? grader.truth_marks(one) : grader.marks(one, truth.loose));
+      keep_unless_answered(store_, one.run,
+                           one.run == finer ? grader.truth_marks(one) : grader.marks(one, truth.loose));
     }
   }
 
@@ -178,7 +179,7 @@ class CaseRun {
       throw;  // a store that cannot be written is not the contender's failure
     } catch (const std::exception& error) {
       const std::string why = failure_text(error, memory(*scene_, job, options_.timed));
-      keep_failure(store_, record.run, grader.failure(record, "failed: " + why));
+      keep_unless_answered(store_, record.run, grader.failure(record, "failed: " + why));
       ++outcome_.n_failed;
       progress_(fmt::format("{} {} · {} · failed: {}", count, scene_->name, job.label, one_line(why, most_told)));
     }

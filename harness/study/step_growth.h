@@ -2,9 +2,8 @@
 //
 //   growth = rho^n,   n = duration / h,   rho the spectral radius of one step (stability.h, one_step.h)
 //
-// rho over all modes of a reduced body, those that damping couples together; of a mesh that of its highest mode, and of
-// single modes that are damped less than the stiffness would, as their shapes on the consistent mass have them. No
-// other exceeds these but where explicit Euler meets damping of the stiffness: an estimate from below. Of finite
+// rho over all modes of a reduced body, those that damping couples together, and of one step of a whole mesh
+// (modal/bases/mesh_radius.h), which of explicit Euler is an estimate. Of finite
 // deformation it is that about rest, in contact that without: what grows there may stay bounded where what swings
 // softens, and is no motion of its own all the same. Above 1 the step is past its limit; how far the run shows it
 // depends on n.
@@ -15,7 +14,7 @@
 namespace mb {
 
 // [-] Largest over the bodies; NaN where nothing is known: modes in frames that turn or touch, schemes without a
-// matrix, a mesh whose highest mode damping couples to others. h and duration [s] > 0.
+// matrix. h and duration [s] > 0.
 double predicted_growth(const Reduction& reduction, const std::string& integrator, double h, double duration);
 
 struct Grown {

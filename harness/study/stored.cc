@@ -119,7 +119,7 @@ StoredJob stored(const Job& job, const Store& store) {
   return job.kind == Job::Kind::analysis ? stored_tables(job, store) : stored_marks(job, store);
 }
 
-void keep_failure(const Store& store, const std::string& run, const std::vector<Record>& records) {
+void keep_unless_answered(const Store& store, const std::string& run, const std::vector<Record>& records) {
   const FolderLock lock(store.directory());
   if (!holds_answers(store, run)) store.write_records(run, records);
 }

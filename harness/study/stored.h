@@ -37,9 +37,9 @@ struct StoredJob {
 StoredJob stored(const Job& job, const Store& store);
 
 // What was found is written, but never over what another process has found meanwhile: the store is looked at and
-// written under one lock. A failure gives way to any answer; marks give way to sound ones, whose times then stay,
-// unless they are to replace what is there; tables give way to none.
-void keep_failure(const Store& store, const std::string& run, const std::vector<Record>& records);
+// written under one lock. A failure and the truth's own marks give way to any answer; marks give way to sound ones,
+// whose times then stay, unless they are to replace what is there; tables give way to none.
+void keep_unless_answered(const Store& store, const std::string& run, const std::vector<Record>& records);
 void keep_marks(const Store& store, const Job& job, const std::vector<Record>& marks, bool replace);
 void keep_tables(const Store& store, const Job& job, const std::vector<Finding>& tables);
 

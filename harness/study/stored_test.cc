@@ -51,10 +51,11 @@ TEST(Stored, AFailureGivesWayToAnAnswerStoredMeanwhile) {
   const ScratchFolder folder;
   const Store store(folder / "results");
   const auto status = [&] { return store.read_records_of(run).records.at(0).status; };
-  keep_failure(store, run, marks("failed: once"));
+  keep_unless_answered(store, run, marks("failed: once"));
   EXPECT_EQ(status(), "failed: once");
   keep_beside(
-      store, [&] { keep_failure(store, run, marks("failed: twice")); }, [&] { store.write_records(run, marks("ok")); });
+      store, [&] { keep_unless_answered(store, run, marks("failed: twice")); },
+      [&] { store.write_records(run, marks("ok")); });
   EXPECT_EQ(status(), "ok");
 }
 
@@ -69,7 +70,7 @@ TEST(Stored, MarksGiveWayToSoundOnesAndTheirTimesUnlessTheyReplaceThem) {
   EXPECT_TRUE(store.has_times(run));
   keep_marks(store, job, marks("unstable"), true);
   EXPECT_FALSE(store.has_times(run));
-  keep_failure(store, run, marks("failed: late"));
+  keep_unless_answered(store, run, marks("failed: late"));
   EXPECT_EQ(store.read_records_of(run).records.at(0).status, "unstable");
 }
 

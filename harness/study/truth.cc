@@ -215,7 +215,8 @@ double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, co
   if (kind == TruthKind::exact) return truth.exact_bar * truth_size(metric, truth.of(kind), context);
   const double time = distance(metric, truth.loose, truth.same_mesh, context);
   if (kind == TruthKind::same_mesh) return time;
-  const double mesh = distance(metric, truth.coarser, truth.finer, context) + of_missing_mass(metric, truth, context);
+  const double mesh = safety_of_meshes * distance(metric, truth.coarser, truth.finer, context) +
+                      of_missing_mass(metric, truth, context);
   return std::max(time + mesh, beyond_exact(metric, truth, context));
 }
 

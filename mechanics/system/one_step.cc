@@ -18,6 +18,11 @@ struct Scaled {
   const MatrixXd& C;
 };
 
+// Half a step apart they are the same.
+bool kicks_by_old_rates(const std::string& scheme) {
+  return scheme == "symplectic-euler" || scheme == "central-difference, lagged damping";
+}
+
 // Rates first, by the mean of both rates or by the old ones, then places by the new rates.
 MatrixXd kick_and_drift(const Scaled& modes, const MatrixXd& implicit_mass, double h) {
   const Index n = modes.S.rows();
@@ -78,29 +83,29 @@ VectorXd energy_scales(const MatrixXd& K, double h) {
   return (k.array() > 0).select(k.cwiseSqrt(), 1 / h);
 }
 
-MatrixXd one_step(const CoupledModes& modes, const std::string& integrator, double h) {
+MatrixXd one_step(const CoupledModes& modes, const std::string& scheme, double h) {
   if (!(h > 0)) throw std::invalid_argument("one step: its length must be positive");
   const VectorXd s = energy_scales(modes.K, h);
   const Scaled scaled{s.asDiagonal(), modes.K * s.cwiseInverse().asDiagonal(), modes.C};
   const Index n = s.size();
   const MatrixXd I = MatrixXd::Identity(n, n);
-  if (integrator == "symplectic-euler") return kick_and_drift(scaled, I, h);
-  if (integrator == "central-difference") return kick_and_drift(scaled, I + h / 2 * modes.C, h);
+  if (kicks_by_old_rates(scheme)) return kick_and_drift(scaled, I, h);
+  if (scheme == "central-difference") return kick_and_drift(scaled, I + h / 2 * modes.C, h);
   const MatrixXd whole = MatrixXd::Identity(2 * n, 2 * n), B = generator(scaled);
-  if (integrator == "explicit-euler") return whole + h * B;
+  if (scheme == "explicit-euler") return whole + h * B;
   // Average acceleration is the trapezoidal rule of y' = B y.
-  if (integrator == "newmark") return (whole - h / 2 * B).partialPivLu().solve(whole + h / 2 * B);
-  throw std::invalid_argument("one step: integrator '" + integrator + "' has no matrix of coupled modes");
+  if (scheme == "newmark") return (whole - h / 2 * B).partialPivLu().solve(whole + h / 2 * B);
+  throw std::invalid_argument("one step: scheme '" + scheme + "' has no matrix of coupled modes");
 }
 
-double stable_step(const CoupledModes& modes, const std::string& integrator) {
+double stable_step(const CoupledModes& modes, const std::string& scheme) {
   const double infinity = std::numeric_limits<double>::infinity();
-  if (integrator == "newmark" || modes.K.size() == 0) return infinity;
-  if (integrator == "explicit-euler") return oscillating_step(modes);
+  if (scheme == "newmark" || modes.K.size() == 0) return infinity;
+  if (scheme == "explicit-euler") return oscillating_step(modes);
   const double undamped = 2 / std::sqrt(symmetric_eigenvalues(modes.K).maxCoeff());
-  if (integrator == "central-difference") return undamped;
-  if (integrator == "symplectic-euler") return definite_step(modes, undamped);
-  throw std::invalid_argument("stable step: integrator '" + integrator + "' has no matrix of coupled modes");
+  if (scheme == "central-difference") return undamped;
+  if (kicks_by_old_rates(scheme)) return definite_step(modes, undamped);
+  throw std::invalid_argument("stable step: scheme '" + scheme + "' has no matrix of coupled modes");
 }
 
 double spectral_radius(const MatrixXd& A) {

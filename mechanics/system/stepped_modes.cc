@@ -54,7 +54,7 @@ SteppedModes stepped_modes(const System& system) {
 }
 
 double step_radius(const SteppedModes& modes, const Scheme& scheme, double h) {
-  if (modes.coupled.K.size() > 0) return spectral_radius(one_step(modes.coupled, scheme.integrator, h));
+  if (modes.coupled.K.size() > 0) return spectral_radius(one_step(modes.coupled, scheme.name, h));
   double largest = 0;
   for (Index i = 0; i < modes.omega.size(); ++i)
     largest = std::max(largest, spectral_radius(scheme.amplification(modes.omega(i) * h, modes.zeta(i))));

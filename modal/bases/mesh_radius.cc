@@ -1,0 +1,122 @@
+#include "modal/bases/mesh_radius.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/algebra/cholesky.h"
+#include "mechanics/algebra/dense_eigen.h"
+#include "mechanics/algebra/noise.h"
+#include "mechanics/system/system.h"
+#include "modal/bases/arpack.h"
+#include "modal/bases/highest_mode.h"
+
+namespace mb {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Which part of C is taken by the mean of both rates.
+enum class Implicit { none, of_mass, all };
+
+Implicit implicit_part(const System& system, const std::string& integrator) {
+  if (integrator == "symplectic-euler" || system.stored_energy) return Implicit::none;
+  return system.lumped_mass.rows() > 0 ? Implicit::of_mass : Implicit::all;
+}
+
+struct Damped {
+  VectorXd lagging, implicit;  // C_l x, C_i x
+};
+
+// The pencil of the header. system: its mass is the one stepped with.
+class Growth {
+ public:
+  Growth(const System& system, Implicit part, double h) : system_(system), part_(part), h_(h), mass_(system.M) {}
+
+  double radius() const {
+    constexpr int most = 50;
+    double mu = 1;
+    for (int i = 0; i < most; ++i) {
+      const VectorXd phi = least_stable(mu);
+      const double next = of_mode(phi);
+      if (!(next > mu * (1 + 1e-10))) break;  // not at all, or to rounding of Lanczos
+      mu = next;
+    }
+    return mu;
+  }
+
+ private:
+  Damped damped(const VectorXd& x) const {
+    VectorXd all = apply_damping(system_, x), none = VectorXd::Zero(x.size());
+    if (part_ == Implicit::none) return {std::move(all), std::move(none)};
+    if (part_ == Implicit::all) return {std::move(none), std::move(all)};
+    VectorXd by_mass = system_.M * x;
+    by_mass -= system_.M * (system_.R * (system_.R.transpose() * by_mass));
+    by_mass *= system_.damping.alpha;
+    return {all - by_mass, by_mass};
+  }
+  // What stands against M: the largest eigenvalue passes 1 where the step is unstable.
+  VectorXd against_mass(const VectorXd& x, double mu) const {
+    const auto [lagging, implicit] = damped(x);
+    return (mu * h_ * h_ / ((1 + mu) * (1 + mu))) * (system_.K * x) + (h_ / (1 + mu)) * lagging -
+           (h_ / 2 * (mu - 1) / (mu + 1)) * implicit;
+  }
+  VectorXd least_stable(double mu) const {
+    const auto n = static_cast<int>(system_.M.rows());
+    VectorXd phi;
+    if (n < 12) {
+      MatrixXd against(n, n);
+      for (Index j = 0; j < n; ++j) against.col(j) = against_mass(VectorXd::Unit(n, j), mu);
+      phi = generalized_eigen(against, MatrixXd(system_.M)).value().vectors.col(n - 1);
+    } else {
+      const Operator apply = [&](const VectorXd& x, const VectorXd&) { return mass_.solve(against_mass(x, mu)); };
+      const InnerProduct inner_product = [&](const VectorXd& x) -> VectorXd { return system_.M * x; };
+      phi = largest_ritz(apply, inner_product, 1, std::min(n, 40), 1e-7, uniform_noise(n, 3)).vectors.col(0);
+    }
+    return phi / std::sqrt(phi.dot(system_.M * phi));
+  }
+  // The larger root of (1 + h c_i/2) mu^2 + (2 - h c_l - h^2 k) mu + 1 - h c_l - h c_i/2; NaN where there is none.
+  double of_mode(const VectorXd& phi) const {
+    const auto [lagging, implicit] = damped(phi);
+    const double c = h_ * phi.dot(lagging), c_i = h_ / 2 * phi.dot(implicit), k = h_ * h_ * phi.dot(system_.K * phi);
+    const double half = (c + k) / 2 - 1;
+    return (half + std::sqrt(half * half - (1 + c_i) * (1 - c - c_i))) / (1 + c_i);
+  }
+
+  const System& system_;
+  Implicit part_;
+  double h_;
+  Cholesky mass_;
+};
+
+double radius_of(const SteppedMode& mode, const Scheme& scheme, double h) {
+  return spectral_radius(scheme.amplification(mode.omega * h, mode.zeta));
+}
+
+double radius_of_explicit_euler(const System& system, double h) {
+  const Scheme& euler = scheme("explicit-euler");
+  double largest = radius_of(highest_mode(system), euler, h);
+  const MatrixXd& W = system.modal_damping.W;
+  if (W.cols() == 0) return largest;
+  const Cholesky mass(system.M);
+  for (Index j = 0; j < W.cols(); ++j) {
+    VectorXd phi = mass.solve(VectorXd(W.col(j)));
+    phi /= std::sqrt(phi.dot(system.M * phi));
+    const double omega = std::sqrt(phi.dot(system.K * phi));
+    const double zeta = std::max(0., phi.dot(apply_damping(system, phi)) / (2 * omega));
+    largest = std::max(largest, radius_of({omega, zeta, {}, {}}, euler, h));
+  }
+  return largest;
+}
+
+}  // namespace
+
+double mesh_radius(const System& system, const std::string& integrator, double h) {
+  const System seen = system.lumped_mass.rows() > 0 ? with_lumped_mass(system) : system;
+  if (integrator == "explicit-euler") return radius_of_explicit_euler(seen, h);
+  if (integrator != "symplectic-euler" && integrator != "central-difference") return nan;
+  return Growth(seen, implicit_part(system, integrator), h).radius();
+}
+
+}  // namespace mb
