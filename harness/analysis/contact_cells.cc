@@ -1,5 +1,7 @@
 #include "harness/analysis/contact_cells.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -132,6 +134,11 @@ std::vector<VariedLayer> varied_layers(const AnalysisContext& context, const Con
     layer.nudged = std::make_shared<const FloatingBases>(nudged(*layer.bases));
     layer.pressed.yields = static_yields(*layer.bases, encounter, impact.radius);
     const Trajectory reference = variants.simulate(layer.scene, finest);
+    if (reference.status != Status::ok)
+      throw std::runtime_error(
+          fmt::format("the steps of {:.3g} s to which those of a layer {:.3g} times as stiff are held "
+                      "ended: {}",
+                      finest.time_step, factor, to_string(reference.status)));
     layer.reference = first_impact(reference, reference);
     ContactContender coarser = finest;
     coarser.time_step *= 2;

@@ -16,6 +16,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double transient = 100;          // [-] of energy, beside what grows by rho^2 a step
 constexpr double not_growing = 1 + 1e-12;  // [-] rho but for rounding
 
+// Where a part of the damping, that of the mass, does not lag, the modes say so (stepped_modes.h).
+const Scheme* scheme_of_steps(const std::string& integrator, const System& system) {
+  if (const Scheme* one = scheme_of(integrator, system)) return one;
+  return integrator == "central-difference" ? &scheme("central-difference, lagged damping") : nullptr;
+}
+
 // u0 = +-1/omega_i: kinetic energy none, strain energy 1/2 in every elastic mode.
 System in_free_vibration(const MappedSystem& mapped) {
   const Index n = mapped.system.M.rows(), n_elastic = mapped.modes.omega.size();
@@ -71,6 +77,7 @@ double energy_of_theory(const Scheme& scheme, const SteppedModes& modes, double 
   if (scheme.name == "newmark" || scheme.name == "central-difference") return 1;
   const bool lags = scheme.name == "central-difference, lagged damping";
   if (!(lags || scheme.name == "symplectic-euler") || modes.coupled.K.size() > 0) return nan;
+  if (lags && modes.zeta_by_mean.size() > 0) return nan;
   double sum = 0;
   for (Index i = 0; i < modes.omega.size(); ++i) {
     const double x = modes.omega[i] * dt, a = 2 * modes.zeta[i] * x;
@@ -114,7 +121,7 @@ MappedSystem mapped_system(System system, const VectorXd& times, double duration
 }
 
 StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps) {
-  const Scheme* scheme = scheme_of(integrator.name, mapped.system);
+  const Scheme* scheme = scheme_of_steps(integrator.name, mapped.system);
   const double radius = scheme ? step_radius(mapped.modes, *scheme, dt) : nan;
   const double bound = scheme && radius <= not_growing ? energy_of_theory(*scheme, mapped.modes, dt) : nan;
   StepCell cell{dt, radius, mapped.modes.omega.size(), n_steps, 0, bound, nan, StepClass::unstable, {}, false};
@@ -151,12 +158,16 @@ std::string verdict(const StepCell& cell) {
 }
 
 double predicted_limit(const MappedSystem& mapped, const std::string& integrator) {
-  const Scheme* scheme = scheme_of(integrator, mapped.system);
+  const Scheme* scheme = scheme_of_steps(integrator, mapped.system);
   if (!scheme) return nan;
-  const auto& [omega, zeta, coupled] = mapped.modes;
-  if (coupled.K.size() == 0) return measured_limit(*scheme, omega, without_rounding(omega, zeta)).dt;
+  const auto& [omega, zeta, coupled, by_mean] = mapped.modes;
+  const bool splits = scheme->name == "central-difference, lagged damping" && by_mean.size() > 0;
+  if (coupled.K.size() == 0) {  // of what lags alone: at the limit rates turn round, and their mean is 0
+    const VectorXd lagging = splits ? VectorXd((zeta - by_mean).cwiseMax(0)) : zeta;
+    return measured_limit(*scheme, omega, without_rounding(omega, lagging)).dt;
+  }
   const MatrixXd C = (coupled.C.array().abs() > rounding_of_damping(coupled.C)).select(coupled.C, 0);
-  return stable_step({coupled.K, C}, scheme->name);
+  return stable_step({coupled.K, C, coupled.by_mean}, scheme->name);
 }
 
 }  // namespace mb

@@ -30,16 +30,16 @@ Finding map_table() {
   return table(
       "stability-map", "stability-map", "Steps that are stable, inaccurate and unstable",
       "Every integrator of fixed step on the modes of the mesh, over mode count and step, and on full order, in all "
-      "modes of a mesh of at most 2500 unknowns (350 where damping couples modes; the limit of any mesh is in step- "
-      "limits), of the mass and with the damping that it steps by: explicit schemes lump the mass, and central "
-      "differences then lag all damping but that of mass; in modes down to a thirtieth of the limit of the most, or "
-      "to a fiftieth of 2/omega where there is no limit, on full order to a third of its own, as far as 400 thousand "
-      "steps and 4e9 steps times modes go. Unstable: the energy of free vibration, all modes alike, passes 1e4 of "
-      "what it was within 1000 steps, or there is no number. Inaccurate: bounded, and under the scene's loads more "
-      "than 5 % off the closed form of the same modes (M norm, elastic part). Spectral radius: the largest of one "
-      "step over the modes, of all of them together where damping couples them; limit: the step where it passes 1. "
-      "Growth that would not show in 1000 steps is too slow to be seen; at the limit, within 2e-4 of it, what is "
-      "bounded may pass 1e4.",
+      "modes of a mesh of at most 2500 unknowns (350 where damping couples modes; limits of larger ones that no "
+      "dashpot couples are in step-limits), of the mass and with the damping that it steps by: explicit schemes lump "
+      "the mass, and central differences then lag all damping but that of mass; in modes down to a thirtieth of the "
+      "limit of the most, or to a fiftieth of 2/omega where there is no limit, on full order to a third of its own, "
+      "as far as 400 thousand steps and 4e9 steps times modes go. Unstable: the energy of free vibration, all modes "
+      "alike, passes 1e4 of what it was within 1000 steps, or there is no number. Inaccurate: bounded, and under the "
+      "scene's loads more than 5 % off the closed form of the same modes (M norm, elastic part). Spectral radius: the "
+      "largest of one step over the modes, of all of them together where damping couples them; limit: the step where "
+      "it passes 1. Growth that would not show in 1000 steps is too slow to be seen; at the limit, within 2e-4 of it, "
+      "what is bounded may pass 1e4.",
       {{"integrator", ""},
        {"modes r", ""},
        {"system", ""},

@@ -92,4 +92,19 @@ std::string growth_verdict(const GrowthRun& run) {
   return std::abs(observed - theory) <= std::max(0.01 * std::abs(theory), rounding) ? "confirmed" : "not confirmed";
 }
 
+GrowthRun growth_run(const System& system, const SteppedMode& mode, const Integrator& integrator, double dt,
+                     double rho) {
+  const double until = 10 / std::log(rho);
+  const long n = until < 200 ? std::max(20L, std::lround(until)) : 200;
+  Settings settings;
+  settings.time_step = dt;
+  System alone = let_go(system, VectorXd::Zero(mode.phi.size()));
+  alone.v0 = mode.phi;
+  const auto from = static_cast<double>(n), to = 2 * from;
+  const States states =
+      integrator.prepare(alone, settings, (to + 1) * dt)->run(dt * VectorXd{{from, from + 1, to, to + 1}});
+  const double first = (states.u.col(1) - states.u.col(0)).norm(), last = (states.u.col(3) - states.u.col(2)).norm();
+  return {dt, n, std::pow(rho, from), last / first};
+}
+
 }  // namespace mb

@@ -48,5 +48,9 @@ std::string growth_verdict(const GrowthRun& run);
 // As many steps as growth by a factor 3 takes, in [20, most_steps]. system: its loads and initial state are not used.
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme& scheme, const Integrator& integrator,
                      double dt, long most_steps);
+// Of a mesh whose step grows by rho, pushed off in phi, which is no eigenvector of one step: of what a step moves, over
+// as many steps again as it takes until that mode is all there is, at most 200. An overdamped mode let go would creep.
+GrowthRun growth_run(const System& system, const SteppedMode& mode, const Integrator& integrator, double dt,
+                     double rho);
 
 }  // namespace mb

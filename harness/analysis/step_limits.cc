@@ -6,10 +6,11 @@
 #include <optional>
 
 #include "harness/analysis/analyses.h"
+#include "harness/analysis/limit_subjects.h"
 #include "harness/analysis/modal_body.h"
 #include "harness/analysis/power_law.h"
-#include "harness/analysis/step_limit.h"
 #include "mechanics/system/stepped_modes.h"
+#include "modal/bases/mesh_radius.h"
 #include "modal/methods/projection.h"
 
 namespace mb {
@@ -18,81 +19,19 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// One system whose limits are asked for: what is known of its modes, and what can be run.
-struct Subject {
-  std::string name;
-  double r;              // elastic modes kept; NaN: full order
-  System system;         // as integrators get it
-  VectorXd omega, zeta;  // modes looked at; of full order the lowest and the highest
-  std::function<std::optional<SteppedMode>(Index)> mode;
-  long most_steps;
-  VectorXd omega_beside, zeta_beside;  // on another mesh, as far as known; of full order none: its limit is its mesh's
-  double bar_per_distance;             // [-] (another_mesh)
-  VectorXd rounding;                   // [-] of omega, relative
-};
-
-// Elastic modes of another mesh.
-struct Beside {
-  VectorXd omega, zeta;
-  double bar_per_distance;
-};
-Beside beside(const AnalysisContext& context, int n_elastic) {
-  const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
-  const ModalBody body = modal_body(context, n_elastic, meshes);
-  const Index n = body.modes.size() - body.modes.n_rigid;
-  return {body.modes.omega.tail(n), without_rounding(body.modes.omega.tail(n), damping_ratios(body.system, body.modes)),
-          bar_per_distance};
-}
-
-Subject reduced_subject(const ModalBody& body, int r, const Beside& other) {
-  const Modes modes = leading(body.modes, r);
-  const Index n_rigid = modes.n_rigid, n = modes.size() - n_rigid;
-  System system = project(body.system, modes);
-  Modes unit{n_rigid, modes.omega, MatrixXd::Identity(modes.size(), modes.size()), {}, 0};
-  const VectorXd omega = modes.omega.tail(n), zeta = without_rounding(omega, damping_ratios(system, unit));
-  const auto mode = [=](Index i) -> std::optional<SteppedMode> {
-    const VectorXd e = VectorXd::Unit(n_rigid + n, n_rigid + i);
-    return SteppedMode{omega(i), zeta(i), e, e};
-  };
-  const long most_steps = 200000 / (20 + n);  // as much work for many modes as for few
-  const Index known = std::min(n, other.omega.size());
-  return {"reduced",
-          static_cast<double>(n),
-          std::move(system),
-          omega,
-          zeta,
-          mode,
-          most_steps,
-          other.omega.head(known),
-          other.zeta.head(known),
-          other.bar_per_distance,
-          omega.unaryExpr([&](double each) { return rounding_of_frequency(modes, each); })};
-}
-
-// run: as integrators get it; seen: with the mass they step with as its only one.
-Subject full_subject(const std::string& name, const ModalBody& body, System run, const System& seen) {
-  const SteppedMode top = highest_mode(seen);
-  const Modes& low = body.modes;
-  // Those of the consistent mass which are above the highest of the mass that is stepped with are none of its modes.
-  const Index n = (low.omega.tail(low.size() - low.n_rigid).array() <= top.omega).count();
-  VectorXd omega(n + 1), zeta(n + 1);
-  omega << low.omega.segment(low.n_rigid, n), top.omega;
-  zeta << damping_ratios(body.system, low).head(n), top.zeta;
-  zeta = without_rounding(omega, zeta);
-  const auto mode = [n, top](Index i) { return i == n ? std::optional(top) : std::nullopt; };
-  return {name, nan, std::move(run), omega, zeta, mode, 200, {}, {}, nan, {}};
-}
-
 Finding limits_table() {
   return table(
       "step-limits", "step-limits", "Largest stable time steps, by formula and measured",
       "Measured: bisection of the spectral radius of the one-step amplification of every mode kept, to 1e-9; the "
       "limit is the least over the modes. Formula: theory mode by mode, likewise the least. Damping ratios are those "
-      "of the system's damping operator. Full order: the highest mode of the mesh and the lowest ones that were "
-      "solved for, with the consistent and with the lumped mass. Integrator: that which steps the system so. A limit "
-      "of 0 means that every step is unstable. Over full order: the limit over that of the mesh with its consistent "
-      "mass. Rigid modes drift as they should and set no limit. Bars: of reduced systems, twice the distance to what "
-      "the same modes of the finer mesh of the case set, and rounding; limits of full order are the mesh's own.",
+      "of the system's damping operator. Where single damping ratios are of other modes than those stepped, as of a "
+      "lumped mass, that of the mesh itself, without a formula: the step at which 4 M + 2 s h C - h^2 K is singular, "
+      "s = -1, 0, 1 for damping by the old, the mean, the new rate; none of explicit Euler. Full order otherwise: the "
+      "highest mode of the mesh and the lowest ones that were solved for, with the consistent and with the lumped "
+      "mass. Integrator: that which steps the system so. A limit of 0 means that every step is unstable. Over full "
+      "order: the limit over that of the mesh with its consistent mass. Rigid modes drift as they should and set no "
+      "limit. Bars: of reduced systems, twice the distance to what the same modes of the finer mesh of the case set, "
+      "and rounding; limits of full order are the mesh's own.",
       {{"system", ""},
        {"modes r", ""},
        {"scheme", ""},
@@ -110,7 +49,8 @@ Finding limits_table() {
 Finding runs_table() {
   return table("step-limits", "step-limit-runs", "Step limits borne out by runs",
                "Runs of the catalogue's integrators from the deciding mode at 0.99 and 1.01 of the measured limit; "
-               "where the limit is 0, at a hundredth of 1/omega. Theory: rho^n, rho the spectral radius. Observed: "
+               "where the limit is 0, at a hundredth of 1/omega; at 1.01 alone of the mesh itself. Theory: rho^n, rho "
+               "the spectral radius. Observed: "
                "growth of the run's share in the eigenvector of the larger eigenvalue over the same n steps. A run "
                "confirms where the logarithms of both agree within 1 %, or within 1e-8, which rounding does; it is too "
                "short to tell where both are that small and the mode turns by less than a radian. Steps are as many as "
@@ -176,22 +116,13 @@ const Integrator* find_integrator(const AnalysisContext& context, const std::str
 }
 
 // whole: the limit of the mesh
-std::vector<FindingCell> limit_row(const Subject& s, const Scheme& scheme, const StepLimit& limit, double whole) {
+std::vector<FindingCell> limit_row(const LimitSubject& s, const Scheme& scheme, const SubjectLimit& limit,
+                                   double whole) {
   const Index last = s.omega.size() - 1;
-  const double formula = formula_limit(scheme, s.omega, s.zeta);
-  const double ratio = formula > 0 && std::isfinite(formula) ? limit.dt / formula : nan;
-  return {s.name,
-          s.r,
-          scheme.name,
-          steps_as(scheme, s.system) ? scheme.integrator : "none",
-          s.omega(last),
-          s.zeta(last),
-          scheme.formula_text,
-          formula,
-          limit.dt,
-          ratio,
-          s.omega(limit.deciding),
-          whole > 0 && std::isfinite(whole) ? limit.dt / whole : nan};
+  const double ratio = limit.formula > 0 && std::isfinite(limit.formula) ? limit.dt / limit.formula : nan;
+  return {s.name,        s.r,          scheme.name,         steps_as(scheme, s.system) ? scheme.integrator : "none",
+          s.omega(last), s.zeta(last), scheme.formula_text, limit.formula,
+          limit.dt,      ratio,        limit.omega,         whole > 0 && std::isfinite(whole) ? limit.dt / whole : nan};
 }
 
 double limit_of_mode(const Scheme& scheme, double omega, double zeta) {
@@ -203,7 +134,7 @@ double limit_of_mode(const Scheme& scheme, double omega, double zeta) {
 struct RelativeBars {
   double frequency = nan, limit = nan;
 };
-RelativeBars relative_bars(const Scheme& scheme, const Subject& s, Index i) {
+RelativeBars relative_bars(const Scheme& scheme, const LimitSubject& s, Index i) {
   if (i >= s.omega_beside.size()) return {};
   const double limit = limit_of_mode(scheme, s.omega(i), s.zeta(i));
   const double beside = limit_of_mode(scheme, s.omega_beside(i), s.zeta_beside(i));
@@ -211,7 +142,7 @@ RelativeBars relative_bars(const Scheme& scheme, const Subject& s, Index i) {
           s.bar_per_distance * std::abs(beside / limit - 1) + 2 * s.rounding(i)};
 }
 
-void bar_limits(Finding& limits, const Scheme& scheme, const Subject& s, const StepLimit& limit) {
+void bar_limits(Finding& limits, const Scheme& scheme, const LimitSubject& s, const SubjectLimit& limit) {
   const Index last = s.omega.size() - 1;
   const auto top = relative_bars(scheme, s, last), deciding = relative_bars(scheme, s, limit.deciding);
   const auto cell = [&](const char* name) {
@@ -225,15 +156,17 @@ void bar_limits(Finding& limits, const Scheme& scheme, const Subject& s, const S
   bar_last_row(limits, bars);
 }
 
-void add_runs(Finding& runs, const Subject& s, const Scheme& scheme, const Integrator& integrator,
-              const StepLimit& limit) {
-  const auto mode = s.mode(limit.deciding);
-  if (!mode || !std::isfinite(limit.dt)) return;
-  const std::vector<double> factors =
-      limit.dt > 0 ? std::vector{0.99, 1.01} : std::vector{std::numeric_limits<double>::infinity()};
+void add_runs(Finding& runs, const LimitSubject& s, const Scheme& scheme, const Integrator& integrator,
+              const SubjectLimit& limit) {
+  if (!limit.mode || !std::isfinite(limit.dt)) return;
+  const std::vector<double> factors = limit.dt <= 0 ? std::vector{std::numeric_limits<double>::infinity()}
+                                      : s.coupled   ? std::vector{1.01}
+                                                    : std::vector{0.99, 1.01};
   for (const double factor : factors) {
-    const double dt = limit.dt > 0 ? factor * limit.dt : 0.01 / mode->omega;
-    const GrowthRun run = growth_run(s.system, *mode, scheme, integrator, dt, s.most_steps);
+    const double dt = limit.dt > 0 ? factor * limit.dt : 0.01 / limit.mode->omega;
+    const GrowthRun run =
+        s.coupled ? growth_run(s.system, *limit.mode, integrator, dt, mesh_radius(s.system, integrator.name, dt))
+                  : growth_run(s.system, *limit.mode, scheme, integrator, dt, s.most_steps);
     const double difference = std::log(run.observed) / std::log(run.theory) - 1;
     runs.rows.push_back({s.name, s.r, scheme.name, integrator.name, factor, dt, static_cast<double>(run.n_steps),
                          run.theory, run.observed, difference, growth_verdict(run)});
@@ -265,24 +198,20 @@ std::vector<Finding> step_limits(const AnalysisContext& context) {
   const Beside other = beside(context, counts.back());
   const ModalBody body = modal_body(context, counts.back());  // last: the context has one model at a time
   expect_modes_apart(body);
-  std::vector<Subject> subjects;
+  std::vector<LimitSubject> subjects;
   for (const int r : counts) {
     subjects.push_back(reduced_subject(body, r, other));
     const size_t n = subjects.size();
     if (n > 1 && subjects[n - 1].r == subjects[n - 2].r) subjects.pop_back();  // one multiplet, or no more modes
   }
-  const System consistent = with_consistent_mass(body.system);
-  subjects.push_back(full_subject("full, consistent mass", body, consistent, consistent));
-  if (body.system.lumped_mass.rows() > 0)
-    subjects.push_back(full_subject("full, lumped mass", body, body.system, with_lumped_mass(body.system)));
-
-  const Subject& mesh = subjects.at(subjects.size() - (body.system.lumped_mass.rows() > 0 ? 2 : 1));
+  const std::vector<LimitSubject> full = full_subjects(body);
+  subjects.insert(subjects.end(), full.begin(), full.end());
   Finding limits = limits_table(), runs = runs_table(), exponents = exponents_table();
   for (const Scheme& scheme : explicit_schemes()) {
     std::vector<double> omega, dt;
-    const double whole = measured_limit(scheme, mesh.omega, mesh.zeta).dt;
-    for (const Subject& subject : subjects) {
-      const StepLimit limit = measured_limit(scheme, subject.omega, subject.zeta);
+    const double whole = limit_of(full.front(), scheme).dt;
+    for (const LimitSubject& subject : subjects) {
+      const SubjectLimit limit = limit_of(subject, scheme);
       limits.rows.push_back(limit_row(subject, scheme, limit, whole));
       bar_limits(limits, scheme, subject, limit);
       const Integrator* integrator = find_integrator(context, scheme.integrator);

@@ -157,7 +157,7 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
   std::vector<Finding> findings = analysis.run(context);
   if (analysis.of_truth && context.scene->contacts.empty()) {
     const TruthSet neighbour = neighbour_of(context.truth);
-    add_bars(findings, analysis.run({context.scene, context.catalogue, neighbour, context.model}), safety_of_meshes);
+    add_bars(findings, analysis.run({context.scene, context.catalogue, neighbour, context.model}));
   }
   if (analysis.of_mesh) {
     const OnAnotherMesh other = on_another_mesh(context);

@@ -1,7 +1,7 @@
 // What an analysis finds, with what it is held to and an error bar beside every number that follows from the truth of
 // the case or from the body's mesh: 5/4 of the distance of the same tables told of the truth's neighbour, `coarser` in
-// the place of `finer` and rtol in that of rtol/100 (harness/study/truth.h), or twice that to `finer` in the place of the
-// body's mesh (another_mesh), the larger of both.
+// the place of `finer` and rtol in that of rtol/100 (harness/study/truth.h), or twice that to `finer` in the place of
+// the body's mesh (another_mesh), the larger of both.
 #pragma once
 
 #include "harness/analysis/analysis.h"
@@ -23,8 +23,8 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
 // Of a table with a column "mode", counted from the first elastic one, or "undamped mode", from the first, rows are
 // those of modes that move alike, where `elastic` says which: the largest bar of several, and of several rows of a mode
 // the one in the same place; rows in the same place where the other table has none of these modes.
-void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, double per_distance = 1,
-              const ElasticPairs* elastic = nullptr);
+void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours,
+              double per_distance = safety_of_meshes, const ElasticPairs* elastic = nullptr);
 
 // A column "standard error" becomes the bar of the fit in the column before it, unless that has a larger one.
 void bar_fits(Finding& finding);

@@ -23,7 +23,7 @@ Finding one(std::vector<std::vector<FindingCell>> rows) {
 
 TEST(AddBars, AreDistancesOfNumbersThatHaveAUnit) {
   std::vector<Finding> found{one({{"x", 4.0, 0.5}, {"y", 8.0, 0.25}})};
-  add_bars(found, {one({{"x", 4.0, 0.625}, {"y", 8.0, 0.25}})});
+  add_bars(found, {one({{"x", 4.0, 0.625}, {"y", 8.0, 0.25}})}, 1);
   ASSERT_EQ(found[0].bars.size(), 2u);
   EXPECT_EQ(found[0].bars[0][2], 0.125);
   EXPECT_EQ(found[0].bars[1][2], 0);
@@ -98,7 +98,7 @@ TEST(AddBars, DoNotDependOnVerdicts) {
     return finding;
   };
   std::vector<Finding> found{with_verdict(0.5, "holds")};
-  add_bars(found, {with_verdict(0.75, "fails")});
+  add_bars(found, {with_verdict(0.75, "fails")}, 1);
   EXPECT_EQ(found[0].bars.at(0).at(1), 0.25);
   EXPECT_TRUE(std::isnan(found[0].bars[0][2]));
 }
@@ -106,19 +106,19 @@ TEST(AddBars, DoNotDependOnVerdicts) {
 TEST(AddBars, AreNoneWhereRowsTellOfSomethingElse) {
   const std::vector<std::vector<FindingCell>> rows{{"x", 4.0, 0.5}};
   std::vector<Finding> found{one(rows)};
-  add_bars(found, {one({{"z", 4.0, 0.6}})});
+  add_bars(found, {one({{"z", 4.0, 0.6}})}, 1);
   EXPECT_TRUE(std::isnan(found[0].bars[0][2])) << "another contender";
-  add_bars(found, {one({{"x", 4.0, nan}})});
+  add_bars(found, {one({{"x", 4.0, nan}})}, 1);
   EXPECT_TRUE(std::isnan(found[0].bars[0][2])) << "no number";
   std::vector<Finding> alone{one(rows)};
-  add_bars(alone, {});
+  add_bars(alone, {}, 1);
   EXPECT_TRUE(alone[0].bars.empty());
 }
 
 // A mesh may know fewer modes than another.
 TEST(AddBars, AreOfTheRowsThatBothHaveByTheirCounts) {
   std::vector<Finding> found{one({{"x", 4.0, 0.5}, {"x", 8.0, 0.5}, {"x", 9.0, 0.5}})};
-  add_bars(found, {one({{"x", 4.0, 0.625}, {"x", 9.0, 0.75}})});
+  add_bars(found, {one({{"x", 4.0, 0.625}, {"x", 9.0, 0.75}})}, 1);
   EXPECT_EQ(found[0].bars.at(0)[2], 0.125);
   EXPECT_TRUE(std::isnan(found[0].bars.at(1)[2])) << "another count";
   EXPECT_TRUE(std::isnan(found[0].bars.at(2)[2])) << "no row";
@@ -127,7 +127,7 @@ TEST(AddBars, AreOfTheRowsThatBothHaveByTheirCounts) {
 TEST(AddBars, LargerOnesOfTheTableItselfStay) {
   std::vector<Finding> found{one({{"x", 4.0, 0.5}})};
   found[0].bars = {{nan, nan, 0.2}};
-  add_bars(found, {one({{"x", 4.0, 0.6}})});
+  add_bars(found, {one({{"x", 4.0, 0.6}})}, 1);
   EXPECT_EQ(found[0].bars[0][2], 0.2);
 }
 

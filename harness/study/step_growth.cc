@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "mechanics/system/stepped_modes.h"
 #include "modal/bases/mesh_radius.h"
@@ -19,6 +20,13 @@ double radius(const System& system, const std::string& integrator, double h) {
   return scheme ? step_radius(stepped_modes(system), *scheme, h) : nan;
 }
 
+// A mesh of which ARPACK finds no mode keeps its answer, whatever it grows by.
+double radius_or_nothing(const System& system, const std::string& integrator, double h) try {
+  return radius(system, integrator, h);
+} catch (const std::runtime_error&) {
+  return nan;
+}
+
 }  // namespace
 
 double predicted_growth(const Reduction& reduction, const std::string& integrator, double h, double duration) {
@@ -26,7 +34,7 @@ double predicted_growth(const Reduction& reduction, const std::string& integrato
   if (in_frames) return nan;
   double largest = 0;
   for (const LinearBody& body : reduction.bodies) {
-    const double rho = radius(body.system, integrator, h);
+    const double rho = radius_or_nothing(body.system, integrator, h);
     if (std::isnan(rho)) return nan;
     largest = std::max(largest, std::pow(rho, duration / h));
   }

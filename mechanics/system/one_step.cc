@@ -18,9 +18,16 @@ struct Scaled {
   const MatrixXd& C;
 };
 
+constexpr const char* lagged = "central-difference, lagged damping";
+
 // Half a step apart they are the same.
-bool kicks_by_old_rates(const std::string& scheme) {
-  return scheme == "symplectic-euler" || scheme == "central-difference, lagged damping";
+bool kicks_by_old_rates(const std::string& scheme) { return scheme == "symplectic-euler" || scheme == lagged; }
+
+// What of C is taken by the mean of both rates, where the rest of it lags.
+MatrixXd by_mean(const CoupledModes& modes, const std::string& scheme) {
+  const Index n = modes.K.rows();
+  if (scheme == lagged && modes.by_mean.size() == n) return modes.by_mean.asDiagonal();
+  return MatrixXd::Zero(n, n);
 }
 
 // Rates first, by the mean of both rates or by the old ones, then places by the new rates.
@@ -89,7 +96,7 @@ MatrixXd one_step(const CoupledModes& modes, const std::string& scheme, double h
   const Scaled scaled{s.asDiagonal(), modes.K * s.cwiseInverse().asDiagonal(), modes.C};
   const Index n = s.size();
   const MatrixXd I = MatrixXd::Identity(n, n);
-  if (kicks_by_old_rates(scheme)) return kick_and_drift(scaled, I, h);
+  if (kicks_by_old_rates(scheme)) return kick_and_drift(scaled, I + h / 2 * by_mean(modes, scheme), h);
   if (scheme == "central-difference") return kick_and_drift(scaled, I + h / 2 * modes.C, h);
   const MatrixXd whole = MatrixXd::Identity(2 * n, 2 * n), B = generator(scaled);
   if (scheme == "explicit-euler") return whole + h * B;
@@ -104,7 +111,7 @@ double stable_step(const CoupledModes& modes, const std::string& scheme) {
   if (scheme == "explicit-euler") return oscillating_step(modes);
   const double undamped = 2 / std::sqrt(symmetric_eigenvalues(modes.K).maxCoeff());
   if (scheme == "central-difference") return undamped;
-  if (kicks_by_old_rates(scheme)) return definite_step(modes, undamped);
+  if (kicks_by_old_rates(scheme)) return definite_step({modes.K, modes.C - by_mean(modes, scheme)}, undamped);
   throw std::invalid_argument("stable step: scheme '" + scheme + "' has no matrix of coupled modes");
 }
 

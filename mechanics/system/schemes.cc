@@ -102,6 +102,10 @@ std::vector<Scheme> all_schemes() {
 
 }  // namespace
 
+Matrix2d lagged_amplification(double omega_h, double zeta, double zeta_by_mean) {
+  return Matrix2d::Identity() + leap_frog(omega_h, zeta, 1 + zeta_by_mean * omega_h);
+}
+
 const std::vector<Scheme>& schemes() {
   static const std::vector<Scheme> all = all_schemes();
   return all;

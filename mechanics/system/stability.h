@@ -44,6 +44,9 @@ const Scheme* scheme_of(const std::string& integrator, const System& system);
 
 double spectral_radius(const Matrix2d& A);
 
+// A of "central-difference, lagged damping" where of zeta the part zeta_by_mean >= 0 does not lag.
+Matrix2d lagged_amplification(double omega_h, double zeta, double zeta_by_mean);
+
 // omega h where stability first ends, by bisection to 1e-9 of it; 0: unstable at any step; infinity: stable at any, up
 // to 1e6. zeta >= 0 and finite, else std::invalid_argument.
 double stable_omega_h(const Scheme& scheme, double zeta);

@@ -50,14 +50,24 @@ SteppedModes stepped_modes(const System& system) {
     if (couples(C)) modes.coupled = {lambda.asDiagonal(), std::move(C)};
   }
   modes.zeta = (c.tail(n_elastic).array() / (2 * modes.omega.array())).cwiseMax(0);
+  if (system.lumped_mass.rows() > 0 && alpha != 0) {
+    modes.zeta_by_mean = alpha / 2 * modes.omega.cwiseInverse();
+    if (modes.coupled.K.size() > 0) {
+      modes.coupled.by_mean = VectorXd::Constant(c.size(), alpha);
+      modes.coupled.by_mean.head(system.R.cols()).setZero();
+    }
+  }
   return modes;
 }
 
 double step_radius(const SteppedModes& modes, const Scheme& scheme, double h) {
+  const bool splits = scheme.name == "central-difference, lagged damping" && modes.zeta_by_mean.size() > 0;
   if (modes.coupled.K.size() > 0) return spectral_radius(one_step(modes.coupled, scheme.name, h));
   double largest = 0;
   for (Index i = 0; i < modes.omega.size(); ++i)
-    largest = std::max(largest, spectral_radius(scheme.amplification(modes.omega(i) * h, modes.zeta(i))));
+    largest = std::max(
+        largest, spectral_radius(splits ? lagged_amplification(modes.omega(i) * h, modes.zeta(i), modes.zeta_by_mean(i))
+                                        : scheme.amplification(modes.omega(i) * h, modes.zeta(i))));
   return largest;
 }
 

@@ -11,6 +11,8 @@ namespace mb {
 struct SteppedModes {
   VectorXd omega, zeta;  // [rad/s], [-] of elastic modes; coupled: by the diagonal of C
   CoupledModes coupled;  // all modes, rigid ones first; 0 x 0 where damping couples none
+  // [-] The part of zeta that is of the mass, where it does not lag and the rest does (central_difference.h); else 0.
+  VectorXd zeta_by_mean = {};
 };
 
 bool is_in_modes(const System& system);  // M = I, K diagonal

@@ -9,13 +9,31 @@
 #include "mechanics/algebra/noise.h"
 #include "mechanics/system/system.h"
 #include "modal/bases/arpack.h"
-#include "modal/bases/highest_mode.h"
 
 namespace mb {
 
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+constexpr int most_rounds = 50;  // of mode and number by turns: some three are needed
+
+// phi of the largest eigenvalue of M^-1 A, phi^T M phi = 1. A x: symmetric.
+VectorXd largest_mode(const SparseMatrix& M, const Cholesky& mass,
+                      const std::function<VectorXd(const VectorXd& x)>& A) {
+  const auto n = static_cast<int>(M.rows());
+  VectorXd phi;
+  if (n < 12) {
+    MatrixXd dense(n, n);
+    for (Index j = 0; j < n; ++j) dense.col(j) = A(VectorXd::Unit(n, j));
+    phi = generalized_eigen(dense, MatrixXd(M)).value().vectors.col(n - 1);
+  } else {
+    const Operator apply = [&](const VectorXd& x, const VectorXd&) { return mass.solve(A(x)); };
+    const InnerProduct inner_product = [&](const VectorXd& x) -> VectorXd { return M * x; };
+    phi = largest_ritz(apply, inner_product, 1, std::min(n, 40), 1e-7, uniform_noise(n, 3)).vectors.col(0);
+  }
+  return phi / std::sqrt(phi.dot(M * phi));
+}
 
 // Which part of C is taken by the mean of both rates.
 enum class Implicit { none, of_mass, all };
@@ -35,11 +53,10 @@ class Growth {
   Growth(const System& system, Implicit part, double h) : system_(system), part_(part), h_(h), mass_(system.M) {}
 
   double radius() const {
-    constexpr int most = 50;
     double mu = 1;
-    for (int i = 0; i < most; ++i) {
-      const VectorXd phi = least_stable(mu);
-      const double next = of_mode(phi);
+    for (int i = 0; i < most_rounds; ++i) {
+      const auto against = [&](const VectorXd& x) { return against_mass(x, mu); };
+      const double next = of_mode(largest_mode(system_.M, mass_, against));
       if (!(next > mu * (1 + 1e-10))) break;  // not at all, or to rounding of Lanczos
       mu = next;
     }
@@ -61,20 +78,6 @@ class Growth {
     const auto [lagging, implicit] = damped(x);
     return (mu * h_ * h_ / ((1 + mu) * (1 + mu))) * (system_.K * x) + (h_ / (1 + mu)) * lagging -
            (h_ / 2 * (mu - 1) / (mu + 1)) * implicit;
-  }
-  VectorXd least_stable(double mu) const {
-    const auto n = static_cast<int>(system_.M.rows());
-    VectorXd phi;
-    if (n < 12) {
-      MatrixXd against(n, n);
-      for (Index j = 0; j < n; ++j) against.col(j) = against_mass(VectorXd::Unit(n, j), mu);
-      phi = generalized_eigen(against, MatrixXd(system_.M)).value().vectors.col(n - 1);
-    } else {
-      const Operator apply = [&](const VectorXd& x, const VectorXd&) { return mass_.solve(against_mass(x, mu)); };
-      const InnerProduct inner_product = [&](const VectorXd& x) -> VectorXd { return system_.M * x; };
-      phi = largest_ritz(apply, inner_product, 1, std::min(n, 40), 1e-7, uniform_noise(n, 3)).vectors.col(0);
-    }
-    return phi / std::sqrt(phi.dot(system_.M * phi));
   }
   // The larger root of (1 + h c_i/2) mu^2 + (2 - h c_l - h^2 k) mu + 1 - h c_l - h c_i/2; NaN where there is none.
   double of_mode(const VectorXd& phi) const {
@@ -110,6 +113,14 @@ double radius_of_explicit_euler(const System& system, double h) {
   return largest;
 }
 
+// s of the header.
+std::optional<double> sign_of_damping(const Scheme& scheme) {
+  if (scheme.name == "symplectic-euler" || scheme.name == "central-difference, lagged damping") return -1;
+  if (scheme.name == "central-difference") return 0;
+  if (scheme.name == "symplectic-euler, implicit damping") return 1;
+  return {};
+}
+
 }  // namespace
 
 double mesh_radius(const System& system, const std::string& integrator, double h) {
@@ -117,6 +128,28 @@ double mesh_radius(const System& system, const std::string& integrator, double h
   if (integrator == "explicit-euler") return radius_of_explicit_euler(seen, h);
   if (integrator != "symplectic-euler" && integrator != "central-difference") return nan;
   return Growth(seen, implicit_part(system, integrator), h).radius();
+}
+
+std::optional<MeshLimit> mesh_limit(const System& system, const Scheme& scheme) {
+  const auto sign = sign_of_damping(scheme);
+  if (!sign) return {};
+  const Cholesky mass(system.M);
+  MeshLimit limit{0, highest_mode(system)};
+  const auto limit_of = [&](const SteppedMode& mode) {
+    return 2 / (mode.omega * (std::hypot(1, *sign * mode.zeta) - *sign * mode.zeta));
+  };
+  limit.dt = limit_of(limit.mode);
+  for (int i = 0; i < most_rounds; ++i) {
+    const double h = limit.dt;
+    const VectorXd phi = largest_mode(system.M, mass, [&](const VectorXd& x) -> VectorXd {
+      return h * h * (system.K * x) - 2 * *sign * h * apply_damping(system, x);
+    });
+    const double omega = std::sqrt(phi.dot(system.K * phi));
+    const SteppedMode mode{omega, phi.dot(apply_damping(system, phi)) / (2 * omega), phi, system.M * phi};
+    if (!(limit_of(mode) < h * (1 - 1e-10))) break;
+    limit = {limit_of(mode), mode};
+  }
+  return limit;
 }
 
 }  // namespace mb

@@ -115,6 +115,27 @@ TEST(MeshRadius, PassesOneAtTheLimitOfTheory) {
   EXPECT_LT(h, 0.5 * limit(test::lumped_box({0, 1e-3}), "central-difference")) << "the ratio decides";
 }
 
+// Its own search finds the limit that the radius has by bisection.
+TEST(MeshLimit, IsWhereTheRadiusPassesOne) {
+  for (const auto& [name, system] : bodies()) {
+    const bool lumped = system.lumped_mass.rows() > 0;
+    const System seen = lumped ? with_lumped_mass(system) : system;
+    for (const Scheme& scheme : schemes()) {
+      const auto found = mesh_limit(seen, scheme);
+      EXPECT_EQ(found.has_value(), scheme.name.starts_with("symplectic") || scheme.name.starts_with("central"));
+      if (!found || !steps_as(scheme, system)) continue;
+      EXPECT_NEAR(found->dt / limit(system, scheme.integrator.c_str()), 1, 3e-6) << name << " " << scheme.name;
+      EXPECT_NEAR(found->mode.phi.dot(seen.M * found->mode.phi), 1, 1e-9);
+    }
+  }
+  const System ratio = with_lumped_mass(with_ratio({}, 50));
+  const double lags = mesh_limit(ratio, scheme("central-difference, lagged damping")).value().dt,
+               undamped = mesh_limit(ratio, scheme("central-difference")).value().dt,
+               by_new_rate = mesh_limit(ratio, scheme("symplectic-euler, implicit damping")).value().dt;
+  EXPECT_LT(lags, 0.5 * undamped);
+  EXPECT_GE(by_new_rate, undamped * (1 - 1e-9)) << "damping by the new rate never lowers the limit";
+}
+
 TEST(MeshRadius, OfExplicitEulerIsThatOfWhatGrowsMost) {
   for (const auto& [name, system] : bodies()) {
     int n_grown = 0;
