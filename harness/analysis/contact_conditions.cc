@@ -16,24 +16,24 @@ constexpr size_t most = 4;       // contacts that are shown
 constexpr int n_mode_counts = 3;
 
 Finding contacts_table() {
-  return table(
-      "contact-stiffness", "contacts-in-turn", "Contacts one by one",
-      "Touches that follow each other within half of the first one's duration are one contact. Errors against "
-      "the truth's same contact, relative, that of the start to the duration of the truth's first; their "
-      "bars the distance to those against its coarser mesh; of the values themselves what steps twice as long, or "
-      "ten times the tolerance, move. Empty: it has no such contact.",
-      {{"contact", ""},
-       {"contender", ""},
-       {"modes r", ""},
-       {"touches", ""},
-       {"start", "s"},
-       {"duration", "s"},
-       {"peak force", "N"},
-       {"impulse", "N s"},
-       {"error of start", "-"},
-       {"error of duration", "-"},
-       {"error of peak force", "-"},
-       {"error of impulse", "-"}});
+  return table("contact-stiffness", "contacts-in-turn", "Contacts one by one",
+               "Touches that follow each other within half of the first one's duration are one contact. Errors against "
+               "the truth's same contact, relative, that of the start to the duration of the truth's first; their "
+               "bars 5/4 of the distance to those against its coarser mesh; of the values themselves of what steps "
+               "twice as long, or "
+               "ten times the tolerance, move. Empty: it has no such contact.",
+               {{"contact", ""},
+                {"contender", ""},
+                {"modes r", ""},
+                {"touches", ""},
+                {"start", "s"},
+                {"duration", "s"},
+                {"peak force", "N"},
+                {"impulse", "N s"},
+                {"error of start", "-"},
+                {"error of duration", "-"},
+                {"error of peak force", "-"},
+                {"error of impulse", "-"}});
 }
 
 Finding conditions_table() {
@@ -42,7 +42,7 @@ Finding conditions_table() {
       "Each contact answered again with the layer's stiffness larger by a hundredth. Condition: change over "
       "the value, of the start over the duration of the first contact, by that hundredth. Of the first "
       "contact alone it is about 0.4 at most in size (on a wall F ~ k^(2/5), Hertz); what it has more afterwards the "
-      "motion in between has made. Bars: what steps twice as long, or ten times the tolerance, move. Empty: the "
+      "motion in between has made. Bars: 5/4 of what steps twice as long, or ten times the tolerance, move. Empty: the "
       "same contact is not there again.",
       {{"contact", ""},
        {"contender", ""},
