@@ -17,12 +17,13 @@ namespace mb {
 namespace {
 
 constexpr int counts_mapped = 5, steps_a_decade = 4;
+constexpr std::size_t fewest_fitted = 3;  // errors of an order
 constexpr long steps_of_vibration = 1000, most_steps = 50000;
 constexpr Index most_unknowns = 2500;  // [-] of a mesh whose modes are all found: a dense solver takes 15 s
 constexpr Index most_coupled = 350;    // [-] likewise where damping couples them: 0.7 s for every step that is tried
 constexpr double past_the_limit = 10;  // [-] the grid ends so far beyond the limit of the slowest system
 // Explicit Euler's limit, 2 zeta/omega, lies far below the grid. In modes steps are cheap enough to go there.
-constexpr double below_the_limit = 30, below_the_grid = 5, most_modal_steps = 400000;
+constexpr double below_the_limit = 30, most_modal_steps = 400000;
 // Full order as far as to a third of its limit, where its steps times its modes allow it.
 constexpr double below_the_whole_limit = 3, most_whole_work = 4e9;
 
@@ -33,13 +34,13 @@ Finding map_table() {
       "modes of a mesh of at most 2500 unknowns (350 where damping couples modes; limits of larger ones that no "
       "dashpot couples are in step-limits), of the mass and with the damping that it steps by: explicit schemes lump "
       "the mass, and central differences then lag all damping but that of mass; in modes down to a thirtieth of the "
-      "limit of the most, or to a fiftieth of 2/omega where there is no limit, on full order to a third of its own, "
-      "as far as 400 thousand steps and 4e9 steps times modes go. Unstable: the energy of free vibration, all modes "
-      "alike, passes 1e4 of what it was within 1000 steps, or there is no number. Inaccurate: bounded, and under the "
-      "scene's loads more than 5 % off the closed form of the same modes (M norm, elastic part). Spectral radius: the "
-      "largest of one step over the modes, of all of them together where damping couples them; limit: the step where "
-      "it passes 1. Growth that would not show in 1000 steps is too slow to be seen; at the limit, within 2e-4 of it, "
-      "what is bounded may pass 1e4.",
+      "limit of the most, where there is no limit two steps more if fewer than three have errors to fit, on full "
+      "order to a third of its own, as far as 400 thousand steps and 4e9 steps times modes go. Unstable: the energy "
+      "of free vibration, all modes alike, passes 1e4 of what it was within 1000 steps, or there is no number. "
+      "Inaccurate: bounded, and under the scene's loads more than 5 % off the closed form of the same modes (M norm, "
+      "elastic part). Spectral radius: the largest of one step over the modes, of all of them together where damping "
+      "couples them; limit: the step where it passes 1. Growth that would not show in 1000 steps is too slow to be "
+      "seen; at the limit, within 2e-4 of it, what is bounded may pass 1e4.",
       {{"integrator", ""},
        {"modes r", ""},
        {"system", ""},
@@ -150,14 +151,12 @@ std::vector<double> steps_from(double last, std::vector<double> grid) {
   return grid;
 }
 
-// To below the least limit of an integrator on its modes, where it is stable at any step. Without a limit two steps
-// more, for a fit of what converges slowly.
+// To below the least limit of an integrator on its modes, where it is stable at any step.
 std::vector<double> steps_in_modes(const Mapped& all, const std::string& integrator, const std::vector<double>& grid,
                                    double duration) {
   double least = std::numeric_limits<double>::infinity();
   for (const MappedSystem& mapped : all.reduced) least = std::fmin(least, predicted_limit(mapped, integrator));
   if (!(least > 0)) return grid;
-  if (std::isinf(least)) return steps_from(std::max(grid.front() / below_the_grid, duration / most_modal_steps), grid);
   return steps_from(std::max(least / below_the_limit, duration / most_modal_steps), grid);
 }
 
@@ -232,6 +231,11 @@ std::vector<Finding> stability_map(const AnalysisContext& context) {
     const double duration = context.scene->duration;
     const std::vector<double> in_modes = steps_in_modes(all, integrator.name, steps, duration);
     for (const MappedSystem& mapped : all.reduced) add(mapped, in_modes, false);
+    const bool unlimited = std::isinf(predicted_limit(all.reduced.back(), integrator.name));
+    if (unlimited && sum.dt.size() < fewest_fitted)  // of what converges slowly
+      add(all.reduced.back(),
+          {steps.front() * std::pow(10., -2. / steps_a_decade), steps.front() * std::pow(10., -1. / steps_a_decade)},
+          false);
     const auto& whole = integrator.conditionally_stable ? all.explicitly : all.implicit;
     if (whole) add(*whole, steps_of_whole(*whole, integrator.name, steps, duration), true);
     const auto summarise = [&summary, &integrator](const Summary& of, const std::string& name) {
