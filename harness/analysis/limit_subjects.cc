@@ -9,8 +9,29 @@
 namespace mb {
 
 namespace {
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// run: as integrators get it; seen: with the mass they step with as its only one.
+LimitSubject full_subject(const std::string& name, const ModalBody& body, System run, const System& seen) {
+  const SteppedMode top = highest_mode(seen);
+  const Modes& low = body.modes;
+  const Index known = low.size() - low.n_rigid, n_ratios = run.modal_damping.d.size();
+  const bool own_modes = n_ratios == 0 || (run.lumped_mass.rows() == 0 && n_ratios <= known);
+  // Those of the consistent mass which are above the highest of the mass that is stepped with are none of its modes.
+  const Index n = (low.omega.tail(known).array() <= top.omega).count();
+  VectorXd omega(n + 1), zeta(n + 1);
+  omega << low.omega.segment(low.n_rigid, n), top.omega;
+  zeta << damping_ratios(body.system, low).head(n), top.zeta;
+  zeta = without_rounding(omega, zeta);
+  const auto mode = [n, top](Index i) { return i == n ? std::optional(top) : std::nullopt; };
+  return {name,  nan,  std::move(run),
+          omega, zeta, mode,
+          200,   {},   {},
+          nan,   {},   own_modes ? std::nullopt : std::optional(seen)};
 }
+
+}  // namespace
 
 Beside beside(const AnalysisContext& context, int n_elastic) {
   const auto [meshes, bar_per_distance] = another_mesh(*context.scene);
@@ -44,29 +65,6 @@ LimitSubject reduced_subject(const ModalBody& body, int r, const Beside& other) 
           other.bar_per_distance,
           omega.unaryExpr([&](double each) { return rounding_of_frequency(modes, each); })};
 }
-
-namespace {
-
-// run: as integrators get it; seen: with the mass they step with as its only one.
-LimitSubject full_subject(const std::string& name, const ModalBody& body, System run, const System& seen) {
-  const SteppedMode top = highest_mode(seen);
-  const Modes& low = body.modes;
-  const Index known = low.size() - low.n_rigid, n_ratios = run.modal_damping.d.size();
-  const bool own_modes = n_ratios == 0 || (run.lumped_mass.rows() == 0 && n_ratios <= known);
-  // Those of the consistent mass which are above the highest of the mass that is stepped with are none of its modes.
-  const Index n = (low.omega.tail(known).array() <= top.omega).count();
-  VectorXd omega(n + 1), zeta(n + 1);
-  omega << low.omega.segment(low.n_rigid, n), top.omega;
-  zeta << damping_ratios(body.system, low).head(n), top.zeta;
-  zeta = without_rounding(omega, zeta);
-  const auto mode = [n, top](Index i) { return i == n ? std::optional(top) : std::nullopt; };
-  return {name,  nan,  std::move(run),
-          omega, zeta, mode,
-          200,   {},   {},
-          nan,   {},   own_modes ? std::nullopt : std::optional(seen)};
-}
-
-}  // namespace
 
 std::vector<LimitSubject> full_subjects(const ModalBody& body) {
   const System consistent = with_consistent_mass(body.system);

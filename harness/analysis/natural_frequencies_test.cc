@@ -67,6 +67,19 @@ TEST(NaturalFrequencies, LieWithinTheBandThatTheMeshesAloneGive) {
   EXPECT_NE(alone.note.find("no two meshes"), std::string::npos);
 }
 
+// At a clamp stress is singular: what a pair of meshes leaves open is told by the order there, 1.4, not by 2 of Q1.
+TEST(NaturalFrequencies, OfHeldBodiesHaveTheWiderBandOfAClamp) {
+  Scene held = cube({{{1, {3, 3, 3}}, {1, {4, 4, 4}}, {1, {5, 5, 5}}}}, {8000});
+  const auto is_of_order = [&](double order) {
+    const Finding found = frequencies_of(held);
+    const double fine = 1 + number(found, 0, "error Q1 5x5x5"), own = 1 + number(found, 0, "error Q1 4x4x4");
+    EXPECT_NEAR(number(found, 0, "GCI"), 3 * (own - fine) / fine / (std::pow(1.25, order) - 1), 1e-9);
+  };
+  is_of_order(2);
+  held.bodies[0].supports.push_back({Support::Kind::fixed, {"z-min", {}}});
+  is_of_order(1.4);
+}
+
 TEST(NaturalFrequencies, TellNoOrderWhereNoneCanBeSeen) {
   const std::vector<double> lowest{14353.75688};
   const auto order = [&](std::array<Resolution, 3> meshes, const std::vector<double>& hertz) {

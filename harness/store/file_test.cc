@@ -141,6 +141,18 @@ TEST(File, AFolderHasOneHolderAtATimeHoweverThatEnds) {
   EXPECT_THROW(FolderLock(folder / "file"), StoreError);
 }
 
+TEST(File, AFolderThatCannotBeLockedIsTold) {
+  const ScratchFolder folder;
+  rlimit before{};
+  ::getrlimit(RLIMIT_NOFILE, &before);
+  const rlimit none{0, before.rlim_max};
+  ::setrlimit(RLIMIT_NOFILE, &none);
+  EXPECT_THAT([&] { FolderLock(folder.path()); },
+              ThrowsMessage<StoreError>(AllOf(HasSubstr("cannot be opened to be locked"), HasSubstr("open files"))));
+  ::setrlimit(RLIMIT_NOFILE, &before);
+  EXPECT_NO_THROW(FolderLock(folder.path()));
+}
+
 TEST(File, AFolderThatCannotBeWrittenIsTold) {
   const ScratchFolder folder;
   write_file(folder / "file", "x");

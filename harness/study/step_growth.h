@@ -3,10 +3,9 @@
 //   growth = rho^n,   n = duration / h,   rho the spectral radius of one step (stability.h, one_step.h)
 //
 // rho over all modes of a reduced body, those that damping couples together, and of one step of a whole mesh
-// (modal/bases/mesh_radius.h), which of explicit Euler is an estimate. Of finite
-// deformation it is that about rest, in contact that without: what grows there may stay bounded where what swings
-// softens, and is no motion of its own all the same. Above 1 the step is past its limit; how far the run shows it
-// depends on n.
+// (modal/bases/mesh_radius.h), which of explicit Euler is an estimate. Of finite deformation it is that about rest, in
+// contact that without: what grows there may stay bounded where what swings softens, and is no motion of its own all
+// the same. Above 1 the step is past its limit; how far the run shows it depends on n.
 #pragma once
 
 #include "cases/contract/linear.h"

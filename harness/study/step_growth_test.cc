@@ -128,6 +128,9 @@ TEST(StepGrowth, IsUnknownWhereNothingIsKnown) {
   touching.in_contact = [](const Integrator&, const Settings&) { return std::unique_ptr<Prepared>(); };
   EXPECT_TRUE(std::isnan(predicted_growth(touching, "symplectic-euler", 1, 10)));
   EXPECT_TRUE(std::isnan(predicted_growth(of({oscillators(omega, {})}), "sundials", 1, 10)));
+  System without_modes = lumped_box({});  // of which ARPACK finds none
+  without_modes.K *= std::nan("");
+  EXPECT_TRUE(std::isnan(predicted_growth(of({without_modes}), "symplectic-euler", 1e-3, 1)));
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ bool steps_as(const Scheme& scheme, const System& system) {
   if (scheme.integrator.empty()) return false;
   if (scheme.integrator != "central-difference" || !is_damped(system)) return true;
   const bool lumped = system.lumped_mass.rows() > 0, by_mass = system.damping.alpha != 0;
-  const bool coupling = system.damping.beta != 0 || (system.modal_damping.d.array() != 0).any();
+  const bool coupling =
+      system.damping.beta != 0 || (system.modal_damping.d.array() != 0).any() || system.viscous.nonZeros() > 0;
   if (scheme.name == "central-difference") return !lumped || !coupling;
   return lumped && !by_mass;
 }

@@ -11,7 +11,8 @@ namespace mb {
 struct SteppedModes {
   VectorXd omega, zeta;  // [rad/s], [-] of elastic modes; coupled: by the diagonal of C
   CoupledModes coupled;  // all modes, rigid ones first; 0 x 0 where damping couples none
-  // [-] The part of zeta that is of the mass, where it does not lag and the rest does (central_difference.h); else 0.
+  // [-] The part of zeta that is of the mass, where it does not lag and the rest does (central_difference.h); else
+  // empty.
   VectorXd zeta_by_mean = {};
 };
 

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int most_rounds = 50;  // of mode and number by turns: some three are needed
-
 // phi of the largest eigenvalue of M^-1 A, phi^T M phi = 1. A x: symmetric.
 VectorXd largest_mode(const SparseMatrix& M, const Cholesky& mass,
                       const std::function<VectorXd(const VectorXd& x)>& A) {
@@ -52,15 +50,15 @@ class Growth {
  public:
   Growth(const System& system, Implicit part, double h) : system_(system), part_(part), h_(h), mass_(system.M) {}
 
-  double radius() const {
+  double radius(int most_rounds) const {
     double mu = 1;
     for (int i = 0; i < most_rounds; ++i) {
       const auto against = [&](const VectorXd& x) { return against_mass(x, mu); };
       const double next = of_mode(largest_mode(system_.M, mass_, against));
-      if (!(next > mu * (1 + 1e-10))) break;  // not at all, or to rounding of Lanczos
+      if (!(next > mu * (1 + 1e-10))) return mu;  // rises not at all, or by rounding of Lanczos
       mu = next;
     }
-    return mu;
+    return nan;
   }
 
  private:
@@ -101,15 +99,19 @@ double radius_of_explicit_euler(const System& system, double h) {
   const Scheme& euler = scheme("explicit-euler");
   double largest = radius_of(highest_mode(system), euler, h);
   const MatrixXd& W = system.modal_damping.W;
-  if (W.cols() == 0) return largest;
+  if (W.cols() == 0 && system.viscous.rows() == 0) return largest;
   const Cholesky mass(system.M);
-  for (Index j = 0; j < W.cols(); ++j) {
-    VectorXd phi = mass.solve(VectorXd(W.col(j)));
-    phi /= std::sqrt(phi.dot(system.M * phi));
+  const auto along = [&](const VectorXd& phi) {  // phi^T M phi = 1
     const double omega = std::sqrt(phi.dot(system.K * phi));
     const double zeta = std::max(0., phi.dot(apply_damping(system, phi)) / (2 * omega));
     largest = std::max(largest, radius_of({omega, zeta, {}, {}}, euler, h));
+  };
+  for (Index j = 0; j < W.cols(); ++j) {
+    const VectorXd phi = mass.solve(VectorXd(W.col(j)));
+    along(phi / std::sqrt(phi.dot(system.M * phi)));
   }
+  if (system.viscous.rows() > 0)
+    along(largest_mode(system.M, mass, [&](const VectorXd& x) { return apply_damping(system, x); }));
   return largest;
 }
 
@@ -123,14 +125,14 @@ std::optional<double> sign_of_damping(const Scheme& scheme) {
 
 }  // namespace
 
-double mesh_radius(const System& system, const std::string& integrator, double h) {
+double mesh_radius(const System& system, const std::string& integrator, double h, int most_rounds) {
   const System seen = system.lumped_mass.rows() > 0 ? with_lumped_mass(system) : system;
   if (integrator == "explicit-euler") return radius_of_explicit_euler(seen, h);
   if (integrator != "symplectic-euler" && integrator != "central-difference") return nan;
-  return Growth(seen, implicit_part(system, integrator), h).radius();
+  return Growth(seen, implicit_part(system, integrator), h).radius(most_rounds);
 }
 
-std::optional<MeshLimit> mesh_limit(const System& system, const Scheme& scheme) {
+std::optional<MeshLimit> mesh_limit(const System& system, const Scheme& scheme, int most_rounds) {
   const auto sign = sign_of_damping(scheme);
   if (!sign) return {};
   const Cholesky mass(system.M);
@@ -146,10 +148,10 @@ std::optional<MeshLimit> mesh_limit(const System& system, const Scheme& scheme) 
     });
     const double omega = std::sqrt(phi.dot(system.K * phi));
     const SteppedMode mode{omega, phi.dot(apply_damping(system, phi)) / (2 * omega), phi, system.M * phi};
-    if (!(limit_of(mode) < h * (1 - 1e-10))) break;
+    if (!(limit_of(mode) < h * (1 - 1e-10))) return limit;
     limit = {limit_of(mode), mode};
   }
-  return limit;
+  return {};
 }
 
 }  // namespace mb

@@ -13,8 +13,9 @@
 // The limit h is the least at which that at mu = 1 is singular, 4 M + 2 s h C - h^2 K with s = -1, 0 or 1 for damping
 // by the old, the mean or the new rate, found likewise from above: h(phi) = 4/(sqrt(s^2 c^2 + 4 k) - s c).
 //
-// Explicit Euler has complex ones above 1: that of the highest mode, and of single modes that are damped by themselves,
-// each as if no other moved. An estimate, exact where damping is of mass and stiffness and single modes are modes.
+// Explicit Euler has complex ones above 1: that of the highest mode, of single modes that are damped by themselves and
+// of the motion that joints damp most, each as if no other moved. An estimate, exact where damping is of mass and
+// stiffness and single modes are modes.
 #pragma once
 
 #include <optional>
@@ -24,16 +25,20 @@
 
 namespace mb {
 
+constexpr int rounds_of_radius = 50;  // of mode and number by turns: some three are needed
+
 // [-] Of a step h [s] > 0, by the mass with which the scheme steps. integrator: "symplectic-euler",
-// "central-difference" (central_difference.h; of finite deformation, about rest) or "explicit-euler"; of others NaN.
-double mesh_radius(const System& system, const std::string& integrator, double h);
+// "central-difference" (central_difference.h; of finite deformation, about rest) or "explicit-euler"; of others NaN,
+// and where rho still rises after most_rounds.
+double mesh_radius(const System& system, const std::string& integrator, double h, int most_rounds = rounds_of_radius);
 
 struct MeshLimit {
   double dt;         // [s]
   SteppedMode mode;  // that which grows first beyond it
 };
 // Of schemes that kick and drift, by the mass of the system itself: "symplectic-euler", "symplectic-euler, implicit
-// damping", "central-difference", "central-difference, lagged damping"; of others nothing.
-std::optional<MeshLimit> mesh_limit(const System& system, const Scheme& scheme);
+// damping", "central-difference", "central-difference, lagged damping"; of others nothing, and where dt still falls
+// after most_rounds.
+std::optional<MeshLimit> mesh_limit(const System& system, const Scheme& scheme, int most_rounds = rounds_of_radius);
 
 }  // namespace mb

@@ -37,6 +37,23 @@ System with_dashpot(const Rayleigh& damping, double c) {
   return system;
 }
 
+// Between the motions of the last node and of the first, as of a joint; it lowers the limit of lagging damping.
+System with_joint(double c) {
+  System system = test::lumped_box({});
+  const Index n = system.M.rows();
+  VectorXd between = VectorXd::Zero(n);
+  between.head(3).setConstant(-1), between.tail(3).setConstant(1);
+  system.viscous = SparseMatrix(MatrixXd(c * between * between.transpose()).sparseView());
+  return system;
+}
+
+// Fewer unknowns than a Lanczos basis: by a dense solver.
+System small(const Rayleigh& damping) {
+  System system = test::oscillators(VectorXd{{10, 25, 80}}, damping, true);
+  system.modal_damping = {VectorXd{{1, -0.7, 0.4}}, VectorXd{{60}}};
+  return system;
+}
+
 System consistent(System system) {
   system.lumped_mass.resize(0, 0);
   return system;
@@ -50,6 +67,8 @@ std::vector<Damped> bodies() {
           {"one mode", with_ratio({}, 50)},
           {"one mode beside both", with_ratio({5, 1e-3}, 50)},
           {"dashpot", with_dashpot({}, 100)},
+          {"joint", with_joint(100)},
+          {"three unknowns", small({1, 1e-3})},
           {"consistent, of both", consistent(test::lumped_box({30, 1e-2}))},
           {"consistent, dashpot", consistent(with_dashpot({5, 1e-3}, 100))}};
 }
@@ -138,6 +157,7 @@ TEST(MeshLimit, IsWhereTheRadiusPassesOne) {
 
 TEST(MeshRadius, OfExplicitEulerIsThatOfWhatGrowsMost) {
   for (const auto& [name, system] : bodies()) {
+    if (system.M.rows() < 12) continue;  // its dashpot couples every mode with all others: no estimate is near
     int n_grown = 0;
     for (const double x : {0.3, 1.0, 4.0}) {
       const double h = x / highest_mode(consistent(system)).omega, rho = mesh_radius(system, "explicit-euler", h);
@@ -147,6 +167,16 @@ TEST(MeshRadius, OfExplicitEulerIsThatOfWhatGrowsMost) {
     }
     EXPECT_GT(n_grown, 0) << name;
   }
+}
+
+TEST(MeshRadius, IsUnknownWhileItStillRises) {
+  const System system = with_dashpot({}, 100);
+  const double h = 4 * limit(system, "symplectic-euler");
+  EXPECT_GT(mesh_radius(system, "symplectic-euler", h), 1);
+  EXPECT_TRUE(std::isnan(mesh_radius(system, "symplectic-euler", h, 1)));
+  const Scheme& kicked = scheme("symplectic-euler");
+  EXPECT_TRUE(mesh_limit(with_lumped_mass(system), kicked));
+  EXPECT_FALSE(mesh_limit(with_lumped_mass(system), kicked, 1));
 }
 
 TEST(MeshRadius, IsUnknownOfOtherIntegrators) {
