@@ -94,6 +94,12 @@ std::optional<StepClass> prediction(double radius, long n_steps) {
   return growth > 2 * std::log(energy_bound) ? std::optional(StepClass::unstable) : std::nullopt;
 }
 
+// Of what ran away under loads: whether growth over that run explains it.
+std::optional<StepClass> prediction_of_runaway(double radius, double n_steps) {
+  const double growth = 2 * n_steps * std::log(radius) + std::log(transient);
+  return growth > std::log(energy_bound) ? std::optional(StepClass::unstable) : std::nullopt;
+}
+
 // Whether the limit lies within `near_limit` of the step.
 bool is_at_limit(const SteppedModes& modes, const Scheme& scheme, double dt) {
   return step_radius(modes, scheme, (1 - near_limit) * dt) <= not_growing &&
@@ -131,8 +137,13 @@ StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, dou
     cell.at_limit = scheme && cell.predicted != StepClass::unstable && is_at_limit(mapped.modes, *scheme, dt);
     return cell;
   }
-  cell.error = error_of_steps(mapped, integrator, dt);
-  cell.found = cell.error <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
+  const double error = error_of_steps(mapped, integrator, dt);
+  if (!(error <= runaway_from)) {
+    if (!cell.predicted) cell.predicted = prediction_of_runaway(radius, mapped.times(mapped.times.size() - 1) / dt);
+    return cell;
+  }
+  cell.error = error;
+  cell.found = error <= inaccurate_from ? StepClass::stable : StepClass::inaccurate;
   return cell;
 }
 

@@ -1,8 +1,10 @@
 // What steps of one length make of a system, of whatever scheme and whatever it predicts:
 //
-//   unstable     E(t) > 1e4 E(0) in free vibration within so many steps, or no number, or a run that says so
-//   inaccurate   bounded, and under the scene's loads more than 5 % off the closed form
-//   stable       bounded and within that
+//   unstable     E(t) > 1e4 E(0) in free vibration within so many steps, or under the scene's loads more than 1000
+//   times
+//                off the closed form, or no number, or a run that says so
+//   inaccurate   neither, and under the scene's loads more than 5 % off the closed form
+//   stable       neither, and within that
 //
 // beside rho, the largest spectral radius of the one-step amplification over the modes, or of one step of all of them
 // where damping couples them (mechanics/system/stepped_modes.h).
@@ -36,6 +38,7 @@ const char* to_string(StepClass of);  // "stable", "inaccurate", "unstable"
 constexpr double energy_bound = 1e4;      // [-] of E(t)/E(0)
 constexpr double near_limit = 2e-4;       // [-] of a step, by the above
 constexpr double inaccurate_from = 0.05;  // [-] of the error in the M norm over the scene's sample times
+constexpr double runaway_from = 1000;     // [-] likewise; that of harness/study/instability.h
 
 // A system in modal coordinates, as project() makes it: M = I, K diagonal, the first R.cols() coordinates rigid.
 struct MappedSystem {
@@ -57,7 +60,8 @@ struct StepCell {
                   // steps of a mode do not swing, and of other schemes
   double error;   // [-] NaN where unstable
   StepClass found;
-  std::optional<StepClass> predicted;  // whether unstable, else stable; none: unknown, or growth too slow to be seen
+  // Whether unstable, else stable; none: unknown, or growth that is too slow to be seen in n_steps and in the run.
+  std::optional<StepClass> predicted;
   bool at_limit;  // unstable although not so by rho, which passes 1 within `near_limit` of the step
 };
 StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, double dt, long n_steps);

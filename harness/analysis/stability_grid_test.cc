@@ -133,6 +133,24 @@ TEST(StabilityGrid, GrowthTooSlowForTheRunIsNotCalledStability) {
   EXPECT_EQ(verdict(fast), "as predicted");
 }
 
+// In 1000 steps its energy grows by e^6.4, in the 10000 of the run its motion by e^32.
+TEST(StabilityGrid, WhatRunsAwayInMoreStepsThanAreVibratedIsUnstable) {
+  System system = test::oscillators(omega, {});
+  system.F = VectorXd{{1, -2, 3}};
+  system.s = {Pulse{.duration = 0.5}};
+  const MappedSystem mapped = mapped_system(system, VectorXd::LinSpaced(101, 0, 10), 10, 1e-6);
+  const StepCell away = cell(mapped, "explicit-euler", 1e-3);
+  EXPECT_LT(away.energy, energy_bound);
+  EXPECT_EQ(away.found, StepClass::unstable);
+  EXPECT_TRUE(std::isnan(away.error));
+  EXPECT_EQ(verdict(away), "as predicted");
+  StepCell slow = cell(mapped, "explicit-euler", 2e-4);  // by e^6.4 in the 50000 of the run
+  EXPECT_EQ(slow.found, StepClass::inaccurate);
+  EXPECT_EQ(verdict(slow), "too slow to be seen");
+  slow.found = StepClass::unstable;
+  EXPECT_EQ(verdict(slow), "not as predicted") << "a runaway that growth does not explain";
+}
+
 // There the energy of what does not grow by rho passes any bound: on both sides, as rounding and little damping have
 // it.
 TEST(StabilityGrid, AStepAtTheLimitIsNoContradiction) {
