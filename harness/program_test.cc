@@ -178,14 +178,16 @@ TEST(ProgramCases, AFolderInTheWayOfAResultIsNamedBeforeAnythingIsComputed) {
   const ScratchFolder scratch;
   written(scratch / "small.toml", small_case());
   ASSERT_EQ(modalbench(scratch.path(), {"run", "small.toml"}).code, 0);
-  const fs::path records = scratch / "results/records";
-  const fs::path one = fs::directory_iterator(records)->path();
-  fs::remove(one);
-  fs::create_directory(one);
-  const Said said = modalbench(scratch.path(), {"run", "small.toml"});
-  EXPECT_EQ(said.code, 2);
-  EXPECT_THAT(said.err, HasSubstr(one.filename().string() + ": a folder is in the way; remove it"));
-  EXPECT_THAT(said.err, ::testing::Not(HasSubstr("[1/")));
+  for (const char* shelf : {"records", "truth"}) {
+    const fs::path one = fs::directory_iterator(scratch / "results" / shelf)->path();
+    fs::remove(one);
+    fs::create_directory(one);
+    const Said said = modalbench(scratch.path(), {"run", "small.toml", "--again"});
+    EXPECT_EQ(said.code, 2);
+    EXPECT_THAT(said.err, HasSubstr(one.filename().string() + ": a folder is in the way; remove it"));
+    EXPECT_THAT(said.err, ::testing::Not(HasSubstr("[1/")));
+    fs::remove(one);
+  }
 }
 
 TEST(ProgramCases, ResampledLoadsRecordTheirError) {

@@ -83,6 +83,8 @@ TableFile table_of_text(std::string_view rest, const std::string& shown, std::si
   std::vector<int> lines;
   int n_lines = 0;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // as editors mark UTF-8
+  if (!rest.empty() && !rest.ends_with('\n'))  // its last number may be the beginning of one
+    return {{}, {}, fmt::format("'{}' does not end with a line break: it may be cut", shown)};
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = trimmed(rest.substr(0, end));

@@ -22,6 +22,9 @@ TEST(TableOfText, TakesNoNumberForAHeader) {
 
 TEST(TableOfText, ShowsNothingOfWhatItRefuses) {
   EXPECT_EQ(table_of_text("0, 1\nsecret\n", "a.csv", 10).problem, "line 2 of 'a.csv' is not 't, s', two numbers");
+  EXPECT_EQ(table_of_text("0, 1\n1, 20\n2, 3", "a.csv", 10).problem,
+            "'a.csv' does not end with a line break: it may be cut");
+  EXPECT_EQ(table_of_text("", "a.csv", 10).problem, "'a.csv' has 0 entries: at least 2");
   EXPECT_EQ(table_of_text("0, 1\n", "a.csv", 10).problem, "'a.csv' has 1 entries: at least 2");
   EXPECT_EQ(table_of_text("0,1\n1,1\n2,1\n", "a.csv", 2).problem, "'a.csv' has more than 2 entries");
 }

@@ -88,13 +88,19 @@ class CleanTest : public ::testing::Test {
   std::string current, asked_for, truth;
 };
 
-TEST_F(CleanTest, ResultsThatAKilledProcessWroteGoWhenTheyAreOld) {
-  written(folder / "results/results.jsonl.aB3xY9", "half");
-  EXPECT_THAT(clean({}).out, Not(HasSubstr("was killed")));  // maybe it is being written
-  age("results.jsonl.aB3xY9");
-  EXPECT_THAT(clean({}).out, HasSubstr("was killed"));
+TEST_F(CleanTest, WhatAKilledProcessLeftBesideTheShelvesGoesWhenItIsOld) {
+  for (const char* name : {"results.jsonl.aB3xY9", "probe.17812", "probe.17812.aB3xY9"}) {
+    written(folder / "results" / name, "half");
+    EXPECT_THAT(clean({}).out, Not(HasSubstr("was killed"))) << name;  // maybe it is being written
+    age(name);
+    EXPECT_THAT(clean({}).out, HasSubstr("was killed")) << name;
+    EXPECT_EQ(clean({.yes = true}).code, 0);
+    EXPECT_FALSE(holds(name));
+  }
+  written(folder / "results/probe.of-mine", "");
+  age("probe.of-mine");
   EXPECT_EQ(clean({.yes = true}).code, 0);
-  EXPECT_FALSE(holds("results.jsonl.aB3xY9"));
+  EXPECT_TRUE(holds("probe.of-mine"));
 }
 
 TEST_F(CleanTest, SaysWhatWouldGoAndDeletesNothing) {

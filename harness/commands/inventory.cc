@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "harness/store/hash.h"
@@ -140,14 +141,16 @@ void take(Inventory& all, const fs::path& path, const Stamp& stamp, const Shelf&
   all.files.push_back(file);
 }
 
-// "results.jsonl.XXXXXX"
-void take_unfinished_results(Inventory& all, const fs::path& store) {
-  constexpr std::string_view name = "results.jsonl.";
+// Of a process that was killed: "results.jsonl.XXXXXX" and what tells that a store can be written, "probe.PID".
+bool is_left_over(const std::string& name) {
+  static const std::regex form("results\\.jsonl\\..{6}|probe\\.[0-9]+(\\..{6})?");
+  return std::regex_match(name, form);
+}
+
+void take_left_overs(Inventory& all, const fs::path& store) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(store, error)) {
-    const std::string found = entry.path().filename();
-    if (!fs::is_regular_file(entry.symlink_status()) || !found.starts_with(name) || found.size() != name.size() + 6)
-      continue;
+    if (!fs::is_regular_file(entry.symlink_status()) || !is_left_over(entry.path().filename())) continue;
     const Stamp stamp = stamp_of(entry.path());
     StoredFile file{entry.path(),         "results",         "", static_cast<double>(stamp.size),
                     age_of(entry.path()), State::unfinished, "", stamp};
@@ -192,7 +195,7 @@ Inventory inventory(const fs::path& store, const std::vector<Scene>& scenes, con
   if (std::ranges::any_of(all.files, is_unknown))
     for (const std::size_t i : doubtful)
       if (all.files[i].state == State::outdated) all.files[i].state = State::unknown;
-  take_unfinished_results(all, store);
+  take_left_overs(all, store);
   std::sort(all.files.begin(), all.files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
   return all;
 }

@@ -132,6 +132,9 @@ TEST_F(HardScenes, AreHeldToAFinerMesh) {
     })) << scene.name;
 }
 
+// Of these a million steps of a mesh within its limit do not reach the end: 200 of step-limits alone are below it.
+const std::vector<std::string> out_of_reach{"damping-extremes", "slender-rod", "thin-plate"};
+
 TEST_F(HardScenes, AreSteppedInFullOrderBelowAndPastTheLimit) {
   for (const Scene& scene : all_) {
     bool implicit = false, past = false;
@@ -141,9 +144,13 @@ TEST_F(HardScenes, AreSteppedInFullOrderBelowAndPastTheLimit) {
       past |= conditionally && checked(scene, "full-order", rival.integrator, "unstable");
     }
     EXPECT_TRUE(implicit && past) << scene.name;
-    const auto& tables = scene.study.analyses;
-    const bool below = has(tables, "step-limits") || checked(scene, "full-order", "central-difference", "");
-    EXPECT_TRUE(below) << scene.name << ": steps of the mesh below its limit";
+    if (has(out_of_reach, scene.name)) {
+      EXPECT_TRUE(has(scene.study.analyses, "step-limits")) << scene.name;
+      continue;
+    }
+    EXPECT_TRUE(checked(scene, "full-order", "central-difference", "") ||
+                checked(scene, "full-order", "symplectic-euler", ""))
+        << scene.name << ": below the limit";
   }
 }
 

@@ -38,6 +38,9 @@ class TruthRuns {
 
   // Whether the store may hold it, and whether it did.
   bool has(const TruthJob& job) const { return store_.has_truth(truth_hash(*scene_, job.resolution, job.tolerance)); }
+  void require_room(const TruthJob& job) const {
+    store_.require_room(truth_hash(*scene_, job.resolution, job.tolerance));
+  }
   bool find(const TruthJob& job) {
     auto stored = read(truth_hash(*scene_, job.resolution, job.tolerance));
     if (stored) *job.result = std::move(*stored);
@@ -194,6 +197,7 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
                                 {t.coarser, t.relative_tolerance, &set.coarser},
                                 {mesh, t.relative_tolerance / 100, &set.same_mesh},
                                 {mesh, t.relative_tolerance, &set.loose}};
+  for (const TruthJob& job : missing) runs.require_room(job);
   std::vector<TruthJob> without_file = missing;
   std::erase_if(without_file, [&](const TruthJob& job) { return runs.has(job); });
   require_feasible(without_file, *scene);
