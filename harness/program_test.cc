@@ -138,9 +138,13 @@ TEST(ProgramCases, ADamagedTruthIsNamedAndComputedAgain) {
   written(scratch / "small.toml", small_case());
   ASSERT_EQ(modalbench(scratch.path(), {"run", "small.toml"}).code, 0);
   for (const auto& truth : fs::directory_iterator(scratch / "results/truth")) fs::resize_file(truth, 1000);
+  const Said idle = modalbench(scratch.path(), {"run", "small.toml"});
+  EXPECT_EQ(idle.code, 0);
+  EXPECT_THAT(idle.err, HasSubstr("computed again once it is needed"));
   const Said said = modalbench(scratch.path(), {"run", "small.toml", "--again"});
   EXPECT_EQ(said.code, 0);
-  EXPECT_THAT(said.err, HasSubstr("computed again"));
+  EXPECT_THAT(said.err, HasSubstr("; computed again\n"));
+  EXPECT_THAT(modalbench(scratch.path(), {"run", "small.toml"}).err, ::testing::Not(HasSubstr("computed again")));
 }
 
 // Sound files, of another case: nothing is said of them but by their shape.

@@ -60,7 +60,8 @@ class CaseRun {
 
   CaseOutcome run() {
     const std::vector<Job> todo = not_stored();
-    if (todo.empty() && untimed_front().empty() && unmarked_truths().empty()) return outcome_;
+    if (todo.empty() && untimed_front().empty() && unmarked_truths().empty())
+      return name_damaged_truths(*scene_, store_, progress_), outcome_;
     store_.require_writable();
     for (const Job& job : todo) store_.require_room(job.hash);
     for (const Record& one : unmarked_truths()) store_.require_room(one.run);
@@ -81,8 +82,7 @@ class CaseRun {
   }
 
  private:
-  // Jobs of this part that are left to do. What failed before has failed: it counts every time it is asked for,
-  // but for want of memory, which may be there now.
+  // Of this part. What failed before counts as failed again, but for want of memory, which may be there now.
   std::vector<Job> not_stored() {
     std::vector<Job> todo;
     for (const Job& job : part(all_, options_.shard)) {

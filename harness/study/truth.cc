@@ -215,6 +215,19 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
   return set;
 }
 
+void name_damaged_truths(const Scene& scene, const Store& store, const Progress& progress) {
+  const TruthSettings& t = scene.truth;
+  const Resolution mesh = own_meshes(scene);
+  const std::set<std::string> all{
+      truth_hash(scene, t.finer, t.relative_tolerance), truth_hash(scene, t.coarser, t.relative_tolerance),
+      truth_hash(scene, mesh, t.relative_tolerance / 100), truth_hash(scene, mesh, t.relative_tolerance)};
+  for (const std::string& hash : all) try {
+      if (store.has_truth(hash)) store.read_truth(hash);
+    } catch (const StoreError& damaged) {
+      progress(std::string(damaged.what()) + "; computed again once it is needed");
+    }
+}
+
 double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, const MetricContext& context) {
   if (kind == TruthKind::exact) return truth.exact_bar * truth_size(metric, truth.of(kind), context);
   const double time = distance(metric, truth.loose, truth.same_mesh, context);

@@ -54,6 +54,9 @@ Model make_model(const std::shared_ptr<const Scene>& scene, const Resolution& re
 std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const Catalogue& catalogue,
                                const Store& store, const Progress& progress, const std::function<bool()>& interrupted);
 
+// Reads all that the store has of a scene, and tells what is wrong with any.
+void name_damaged_truths(const Scene& scene, const Store& store, const Progress& progress);
+
 // Of a small value; of larger ones that are relative to the truth more (Metric::relative).
 double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, const MetricContext& context);
 
