@@ -14,8 +14,8 @@
 // by the old, the mean or the new rate, found likewise from above: h(phi) = 4/(sqrt(s^2 c^2 + 4 k) - s c).
 //
 // Explicit Euler has complex ones above 1: that of the highest mode, of single modes that are damped by themselves and
-// of the motion that joints damp most, each as if no other moved. An estimate, exact where damping is of mass and
-// stiffness and single modes are modes.
+// of the motion that V damps most, where joined bodies are damped unlike (joined.h), each as if no other moved. An
+// estimate, exact where damping is of mass and stiffness and single modes are modes.
 #pragma once
 
 #include <optional>

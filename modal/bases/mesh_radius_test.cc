@@ -37,8 +37,8 @@ System with_dashpot(const Rayleigh& damping, double c) {
   return system;
 }
 
-// Between the motions of the last node and of the first, as of a joint; it lowers the limit of lagging damping.
-System with_joint(double c) {
+// By V, as of joined bodies: between the motions of the last node and of the first.
+System with_viscous(double c) {
   System system = test::lumped_box({});
   const Index n = system.M.rows();
   VectorXd between = VectorXd::Zero(n);
@@ -67,7 +67,7 @@ std::vector<Damped> bodies() {
           {"one mode", with_ratio({}, 50)},
           {"one mode beside both", with_ratio({5, 1e-3}, 50)},
           {"dashpot", with_dashpot({}, 100)},
-          {"joint", with_joint(100)},
+          {"viscous", with_viscous(100)},
           {"three unknowns", small({1, 1e-3})},
           {"consistent, of both", consistent(test::lumped_box({30, 1e-2}))},
           {"consistent, dashpot", consistent(with_dashpot({5, 1e-3}, 100))}};
