@@ -38,11 +38,7 @@ class Wanted {
       scenes_.insert({{scene.name, scene.profile}, scene});
       for (const Job& job : jobs(scene, catalogue)) hashes_.insert(job.hash);
       for (const Contender& truth : truth_contenders(scene)) hashes_.insert(run_hash(scene, truth));
-      const double rtol = scene.truth.relative_tolerance;
-      const Resolution own = own_meshes(scene);
-      for (const Resolution& mesh : {scene.truth.finer, scene.truth.coarser, own})
-        hashes_.insert(truth_hash(scene, mesh, rtol));
-      hashes_.insert(truth_hash(scene, own, rtol / 100));
+      hashes_.merge(truth_hashes(scene));
     }
   }
   bool contains(const std::string& hash) const { return hashes_.contains(hash); }

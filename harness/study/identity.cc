@@ -19,6 +19,13 @@ std::string truth_hash(const Scene& scene, const Resolution& resolution, double 
                                   relative_tolerance, sources::reference, modes, sources::libraries));
 }
 
+std::set<std::string> truth_hashes(const Scene& scene) {
+  const TruthSettings& t = scene.truth;
+  const Resolution own = own_meshes(scene);
+  return {truth_hash(scene, t.finer, t.relative_tolerance), truth_hash(scene, t.coarser, t.relative_tolerance),
+          truth_hash(scene, own, t.relative_tolerance), truth_hash(scene, own, t.relative_tolerance / 100)};
+}
+
 std::string run_hash(const Scene& scene, const Contender& c) {
   const bool rigid = c.settings.rotation == RotationCoupling::rigid;
   return content_hash(fmt::format("run\n{} {}\n{}\n{} {} {}\n{} {:a} {:a} {:a}{}\n{} {} {}\n", scene.name,

@@ -216,12 +216,7 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
 }
 
 void name_damaged_truths(const Scene& scene, const Store& store, const Progress& progress) {
-  const TruthSettings& t = scene.truth;
-  const Resolution mesh = own_meshes(scene);
-  const std::set<std::string> all{
-      truth_hash(scene, t.finer, t.relative_tolerance), truth_hash(scene, t.coarser, t.relative_tolerance),
-      truth_hash(scene, mesh, t.relative_tolerance / 100), truth_hash(scene, mesh, t.relative_tolerance)};
-  for (const std::string& hash : all) try {
+  for (const std::string& hash : truth_hashes(scene)) try {
       if (store.has_truth(hash)) store.read_truth(hash);
     } catch (const StoreError& damaged) {
       progress(std::string(damaged.what()) + "; computed again once it is needed");
