@@ -1,8 +1,7 @@
 // What steps of one length make of a system, of whatever scheme and whatever it predicts:
 //
 //   unstable     E(t) > 1e4 E(0) in free vibration within so many steps, or under the scene's loads more than 1000
-//   times
-//                off the closed form, or no number, or a run that says so
+//                times off the closed form, or no number, or a run that says so
 //   inaccurate   neither, and under the scene's loads more than 5 % off the closed form
 //   stable       neither, and within that
 //
