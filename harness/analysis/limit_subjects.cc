@@ -31,6 +31,14 @@ LimitSubject full_subject(const std::string& name, const ModalBody& body, System
           nan,   {},   own_modes ? std::nullopt : std::optional(seen)};
 }
 
+// Of modes with one limit rounding says which is the least: of all where explicit Euler steps damping of stiffness, of
+// the highest where it is among the known ones, too. The highest, which can be run, then stands for them.
+Index one_with_a_shape(const LimitSubject& subject, const Scheme& scheme, const StepLimit& limit) {
+  if (subject.mode(limit.deciding)) return limit.deciding;
+  const double of_last = measured_limit(scheme, subject.omega.tail(1), subject.zeta.tail(1)).dt;
+  return of_last <= (1 + 1e-8) * limit.dt ? subject.omega.size() - 1 : limit.deciding;  // either is to 1e-9
+}
+
 }  // namespace
 
 Beside beside(const AnalysisContext& context, int n_elastic) {
@@ -77,8 +85,9 @@ std::vector<LimitSubject> full_subjects(const ModalBody& body) {
 SubjectLimit limit_of(const LimitSubject& subject, const Scheme& scheme) {
   if (!subject.coupled) {
     const StepLimit limit = measured_limit(scheme, subject.omega, subject.zeta);
-    return {limit.dt, formula_limit(scheme, subject.omega, subject.zeta), limit.deciding, subject.omega(limit.deciding),
-            subject.mode(limit.deciding)};
+    const Index deciding = one_with_a_shape(subject, scheme, limit);
+    return {limit.dt, formula_limit(scheme, subject.omega, subject.zeta), deciding, subject.omega(deciding),
+            subject.mode(deciding)};
   }
   const Index last = subject.omega.size() - 1;
   const auto whole = mesh_limit(*subject.coupled, scheme);

@@ -1,0 +1,54 @@
+// What is looked at of a mesh whose modes are all known, the highest of them twice.
+#include "harness/analysis/limit_subjects.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/scene/case_files.h"
+#include "harness/analysis/context_test.h"
+#include "harness/program_test.h"
+#include "harness/store/scratch_folder_test.h"
+
+namespace mb {
+namespace {
+
+Scene damped_scene() {
+  std::string words = small_case();
+  words.insert(words.find("[body.resolution]"), "[body.damping]\nbeta = 1e-5\n");
+  words.replace(words.find("degree = 2"), 10, "degree = 1");
+  const ScratchFolder folder;
+  return read_toml(written(folder / "case.toml", words), default_catalogue().vocabulary());
+}
+
+// Kernels of the BLAS differ in which of the two is the higher; either way its limit must be run.
+TEST(LimitSubjects, TheHighestModeIsRunWhicheverOfItsCopiesRoundingPutsFirst) {
+  const int lowest = test::in_context(damped_scene(), {}, [](const AnalysisContext& context) {
+    const int n_elastic = static_cast<int>(modal_body(context, 1).system.M.rows()) - 6;
+    ModalBody body = modal_body(context, n_elastic);
+    EXPECT_EQ(body.modes.size() - body.modes.n_rigid, n_elastic);
+    double& highest = body.modes.omega(body.modes.size() - 1);
+    const double known = highest;
+    for (const double off : {-3e-15, -3e-16, 0.0, 3e-16, 3e-15}) {
+      highest = known * (1 + off);
+      for (const Scheme& scheme : schemes()) {
+        const SubjectLimit limit = limit_of(full_subjects(body).front(), scheme);
+        if (!(limit.dt > 0 && std::isfinite(limit.dt))) continue;
+        EXPECT_TRUE(limit.mode.has_value()) << scheme.name << " " << off;
+      }
+    }
+    return n_elastic;
+  });
+  EXPECT_GT(lowest, 6);
+}
+
+// Below it they have no shape here, and none is run in that of another.
+TEST(LimitSubjects, OfTheLowerModesNoneIsRun) {
+  test::in_context(damped_scene(), {}, [](const AnalysisContext& context) {
+    const ModalBody body = modal_body(context, 8);
+    const LimitSubject full = full_subjects(body).front();
+    for (Index i = 0; i < full.omega.size(); ++i) EXPECT_EQ(full.mode(i).has_value(), i == full.omega.size() - 1) << i;
+    return 0;
+  });
+}
+
+}  // namespace
+}  // namespace mb
