@@ -34,7 +34,8 @@ LimitSubject full_subject(const std::string& name, const ModalBody& body, System
 // Of modes with one limit rounding says which is the least: of all where explicit Euler steps damping of stiffness, of
 // the highest where it is among the known ones, too. The highest, which can be run, then stands for them.
 Index one_with_a_shape(const LimitSubject& subject, const Scheme& scheme, const StepLimit& limit) {
-  if (subject.mode(limit.deciding)) return limit.deciding;
+  // Where any step grows, one by which the highest mode shows it may throw off another.
+  if (subject.mode(limit.deciding) || !(limit.dt > 0)) return limit.deciding;
   const double of_last = measured_limit(scheme, subject.omega.tail(1), subject.zeta.tail(1)).dt;
   return of_last <= (1 + 1e-8) * limit.dt ? subject.omega.size() - 1 : limit.deciding;  // either is to 1e-9
 }
