@@ -41,7 +41,7 @@ std::vector<LimitSubject> full_subjects(const ModalBody& body);
 
 struct SubjectLimit {
   double dt, formula;  // [s]; formula: NaN where modes are not known
-  Index deciding;      // of the modes looked at
+  Index deciding;      // of the modes looked at; where several share a limit above 0, one that can be run
   double omega;        // [rad/s] of the mode that decides
   std::optional<SteppedMode> mode;
 };
