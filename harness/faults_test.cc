@@ -16,7 +16,9 @@ using ::testing::Not;
 
 // Killed soon after it has finished something, until nothing is left to do. A run is finished with its records: killed
 // before them, it writes the same trajectory again.
-TEST(FaultCases, ARunThatIsKilledGoesOnWhereItWas) {
+class KilledFaultCases : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(KilledFaultCases, ARunGoesOnWhereItWas) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", analysed_case());
   std::mt19937 random(5);
@@ -24,7 +26,7 @@ TEST(FaultCases, ARunThatIsKilledGoesOnWhereItWas) {
   std::map<std::string, fs::file_time_type> written_at;
   int n_killed = 0;
   for (bool ended = false; !ended; ++n_killed) {
-    Process process(scratch.path(), run);
+    Process process(scratch.path(), run_with({"--jobs", GetParam()}));
     while (!(ended = process.ends_within(0.002)) && finished(scratch / "results").size() == before.size()) continue;
     ended = ended || process.ends_within(static_cast<double>(random() % 100) / 1000);
     process.send(SIGKILL);
@@ -51,6 +53,8 @@ TEST(FaultCases, ARunThatIsKilledGoesOnWhereItWas) {
   EXPECT_EQ(alone.code(), 0) << alone.err();
   expect_same_results(scratch / "alone", scratch / "results");
 }
+
+INSTANTIATE_TEST_SUITE_P(Processes, KilledFaultCases, ::testing::Values("1", "2"));
 
 TEST(FaultCases, TwoRunsAtOnceDoNotHarmTheirStore) {
   const ScratchFolder scratch;
