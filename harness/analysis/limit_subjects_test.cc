@@ -52,5 +52,24 @@ TEST(LimitSubjects, OfTheLowerModesNoneIsRun) {
   });
 }
 
+// Where no step holds a mode the highest does not stand for it: one by which the highest is seen to grow may throw off
+// another, damped far beyond critical.
+TEST(LimitSubjects, WhereAnyStepGrowsTheHighestStandsForNoOther) {
+  LimitSubject subject{};
+  subject.omega = Eigen::Vector2d(1, 100);  // [rad/s]
+  subject.zeta = Eigen::Vector2d(0, 0);
+  const SteppedMode highest{100, 0, VectorXd::Unit(2, 1), VectorXd::Unit(2, 1)};
+  subject.mode = [&](Index i) { return i == 1 ? std::optional(highest) : std::nullopt; };
+  int n_without = 0;
+  for (const Scheme& scheme : schemes()) {
+    const SubjectLimit limit = limit_of(subject, scheme);
+    if (limit.dt > 0) continue;
+    ++n_without;
+    EXPECT_EQ(limit.deciding, 0) << scheme.name;
+    EXPECT_FALSE(limit.mode.has_value()) << scheme.name;
+  }
+  EXPECT_EQ(n_without, 2) << "explicit Euler, with the damping of its own and with exact damping";
+}
+
 }  // namespace
 }  // namespace mb
