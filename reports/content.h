@@ -19,6 +19,7 @@ struct ReportInput {
   std::vector<Scene> scenes;                       // with their checks and prose
   std::map<std::string, std::string> environment;  // commit, date, profile, processor, threads, blas, compiler
   std::map<std::string, std::string> metric_docs;  // metric name, also of the times -> its only definition
+  std::vector<std::string> damaged = {};           // of the store, what is left out and why: "FILE: REASON"
 };
 
 // A check of a case with what was measured; where several bodies or probes answer it, one that fails before one that is

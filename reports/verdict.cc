@@ -168,6 +168,16 @@ std::string unstable_sentence(int n) {
   return counted(n, "run is unstable: its step is", "runs are unstable: their steps are") + " beyond the limit.";
 }
 
+// What stood there is not in this report: a check may lack its answer, a case its warnings.
+std::string damage_sentence(const std::vector<std::string>& damaged) {
+  constexpr std::size_t most_named = 5;
+  std::string text = counted(damaged.size(), "damaged file of the store is", "damaged files of the store are") +
+                     " left out, what stood there is missing here until it is run again";
+  for (std::size_t i = 0; i < std::min(most_named, damaged.size()); ++i) text += (i ? "; " : ": ") + damaged[i];
+  if (damaged.size() > most_named) text += "; and " + std::to_string(damaged.size() - most_named) + " more";
+  return text + ".";
+}
+
 // "3 warnings in 2 cases (a, b): ..."; "" without any.
 std::string warnings_sentence(const ReportInput& input) {
   std::size_t n = 0;
@@ -180,7 +190,9 @@ std::string warnings_sentence(const ReportInput& input) {
   if (n == 0) return "";
   return counted(n, "warning", "warnings") + " in " + counted(cases.size(), "case", "cases") + " (" +
          listed({cases.begin(), cases.end()}) +
-         "), told there: strain or rotation beyond linear theory, or steps in contact that gain energy.";
+         "), told there: strain or rotation beyond linear theory, steps in contact that gain energy, or steps that may "
+         "be "
+         "past their limit.";
 }
 
 }  // namespace
@@ -221,6 +233,8 @@ Verdict verdict_of(const Evaluation& evaluation) {
         "builds other than these. Run modalbench run first, or name the case files: modalbench report FILE.");
   }
   verdict.sentences.push_back(checks_sentence(verdict));
+  if (const auto& damaged = evaluation.input.damaged; !damaged.empty())
+    verdict.sentences.push_back(damage_sentence(damaged));
   verdict.at_target = at_target(evaluation, headline_metric);
   verdict.median = median_ratio(verdict.at_target);
   verdict.n_compared = count_compared(verdict.at_target);

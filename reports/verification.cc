@@ -42,7 +42,8 @@ std::string uncertainty_of(const CheckResult& result) {
   if (result.error_bar > 0) return format_number(result.error_bar, 2);
   if (!result.check.status.empty()) return "none: how a run ends is no number";
   if (result.has_bar) return "below the digits shown";
-  return result.check.table.empty() ? "none: of the answer alone" : result.footing.uncertainty;
+  if (result.check.table.empty()) return "none: of the answer alone";
+  return result.unit.empty() ? "none: counts are exact" : result.footing.uncertainty;  // "-" has one without a unit
 }
 
 std::string unit_of(const CheckResult& result) { return result.unit == "-" ? "" : result.unit; }

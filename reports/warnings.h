@@ -1,5 +1,5 @@
 // What the results of a scene are to be read with, a sentence each: linear theory where it is not to be trusted, steps
-// in contact that gain energy.
+// in contact that gain energy, steps of which nobody knows whether they are past their limit.
 #pragma once
 
 #include <string>

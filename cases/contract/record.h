@@ -38,7 +38,11 @@ struct Record {
                                     // status.h), "not_finite", "no_convergence", "too_many_steps", "undefined: ...",
                                     // "failed: ..."
   Work work;
-  std::map<std::string, std::string> provenance;  // commit, date, profile, processor, threads, blas, compiler
+  std::map<std::string, std::string> provenance;  // commit, date, profile, processor, threads, blas, compiler; of some
+                                                  // repeats, busy, growth
 };
+
+// Whether the steps of its run may be past their limit, which was looked for in vain: provenance "growth".
+inline bool is_growth_unknown(const Record& record) { return record.provenance.contains("growth"); }
 
 }  // namespace mb

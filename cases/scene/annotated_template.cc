@@ -91,7 +91,7 @@ std::string annotated_template() {
   for (const KeyGroup& group : key_groups()) {
     if (!is_shown(group)) out += commented(group);
   }
-  return out;
+  return out + header_of("end");
 }
 
 }  // namespace mb

@@ -7,6 +7,8 @@ const std::vector<KeyGroup>& scene_keys() {
   static const std::vector<KeyGroup> groups{
       {"The case",
        {{"schema", "the number 1", "", "", "required", "version of this format", "1"},
+        {"closed_by", "one of end", "", "", "none",
+         "the file ends with the empty table `[end]`; one without it was cut, and is refused", "\"end\""},
         {"name", "a name", "", "", "required", "by which results refer to the case", "\"my-case\""},
         {"title", "a text of at most 200 bytes", "", "", "required", "one line", "\"A block pushed on its top\""},
         {"purpose", "a text of at most 4000 bytes", "", "", "required", "what the case is for", "\"To start from.\""},
@@ -28,7 +30,8 @@ const std::vector<KeyGroup>& scene_keys() {
         {"truth", "a table", "", "", "required", "how the reference is computed", ""},
         {"reference_frequencies", "a table", "", "", "none", "published natural frequencies", ""},
         {"study", "a table", "", "", "required", "who answers", ""},
-        {"check", "0 to 128 tables", "", "", "none", "what must hold", ""}}},
+        {"check", "0 to 128 tables", "", "", "none", "what must hold", ""},
+        {"end", "a table", "", "", "none", "without keys, see `closed_by`", ""}}},
       {"`[time]`",
        {{"time.duration", "a number", "(0, 100000]", "s", "required", "of every profile that states no other", "0.1"},
         {"time.frame_rate", "a number", "(0, 1e9]", "1/s", "required", "frames: motion, aliasing, timed runs", "60"},

@@ -50,6 +50,16 @@ void read_prose(Section& root, Scene& scene) {
   }
 }
 
+// A file cut between two lines may be a shorter one: where it says how it ends, it is told from that.
+void check_end(Section& root) {
+  const bool says = root.has("closed_by"), ends = root.has("end");
+  if (says && root.choice("closed_by", {{"end"}, "last table", "last tables"}) && !ends)
+    root.error("closed_by", "the file is cut: its last table [end] is missing",
+               "restore what is gone, or end the file with a line [end]");
+  if (!ends) return;
+  if (auto end = root.section("end", true)) end->finish();
+}
+
 void check_crossings(Section& section, const BodyDraft& body, const Times& times) {
   const auto longest = times.longest();
   if (!body.shape || !body.material || !longest) return;
@@ -160,6 +170,7 @@ void check_whole(Section& root, const Scene& scene, const TruthDraft& truth, con
 Scene read_parts(Section root, const Context& context, const std::string& name) {
   Scene scene{};
   require_schema(root);
+  check_end(root);
   read_prose(root, scene);
   const Times times = read_times(root);
   auto profile = read_profile(root, name);

@@ -1,6 +1,7 @@
 // Whatever bytes a file holds: it reads, or every problem is reported. Nothing crashes, hangs or throws anything else.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <random>
 
 #include "cases/scene/case_files.h"
@@ -19,6 +20,26 @@ bool reads(const std::string& text) {
     EXPECT_FALSE(errors.diagnostics().empty());
     return false;
   }
+}
+
+// Cut after whatever line, as the suite's own.
+TEST(CaseFileBytes, a_file_that_says_how_it_ends_is_told_from_one_that_was_cut) {
+  int n_files = 0;
+  for (const char* folder : {".", "hard"})
+    for (const auto& entry : std::filesystem::directory_iterator(test::cases_folder() / folder)) {
+      if (entry.path().extension() != ".toml") continue;
+      const std::string text = test::content(entry.path()), end = "\n[end]\n";
+      ASSERT_TRUE(text.ends_with(end)) << entry.path();
+      EXPECT_FALSE(reads(text.substr(0, text.size() - end.size()))) << entry.path();
+      ++n_files;
+    }
+  EXPECT_GT(n_files, 60);
+  const std::string text = test::content(test::cases_folder() / "hard/dashpot.toml");
+  ASSERT_TRUE(reads(text));
+  int n_cuts = 0;
+  for (std::size_t n = text.find('\n') + 1; n < text.size(); n = text.find('\n', n) + 1, ++n_cuts)
+    EXPECT_FALSE(reads(text.substr(0, n))) << text.substr(0, n);
+  EXPECT_GT(n_cuts, 100);
 }
 
 TEST(CaseFileBytes, every_prefix_reads_or_reports) {

@@ -50,8 +50,12 @@ void add_row(Finding& found, const AnalysisContext& context, double aspect, doub
   const BarredFrequency first = first_frequency(body, scene);
   found.rows.push_back({count(std::lround(aspect)), count(body.system().M.rows()), first.hertz,
                         body.modes.residual.tail(body.modes.size() - body.modes.n_rigid).maxCoeff(), seen.off,
-                        seen.newmark_far_past, seen.central_below, seen.central_past});
-  bar_last_row(found, {{"first frequency", first.bar}, {"modes against steps", seen.bar}});
+                        seen.newmark_far_past.value, seen.central_below.value, seen.central_past.value});
+  bar_last_row(found, {{"first frequency", first.bar},
+                       {"modes against steps", seen.bar},
+                       {"energy, newmark", seen.newmark_far_past.bar},
+                       {"energy below the limit", seen.central_below.bar},
+                       {"energy past the limit", seen.central_past.bar}});
 }
 
 }  // namespace

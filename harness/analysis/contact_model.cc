@@ -8,9 +8,12 @@ namespace mb {
 
 namespace {
 
+constexpr double touch_tolerance = 2e-12;  // [-] of the body's extent: gaps to which touches are told, and rounding
+
 Finding meeting_table() {
   return table("contact", "contact-meetings", "How the body comes to its obstacles",
                "Of the rigid body, in closed form, before anything deforms; sizes are Hertz's, of a flat end a bar's. "
+               "Bar of a touch: 2e-12 of the body's extent at that speed. "
                "Stiffness `auto` is 100 E*/a: the layer then adds 0.3 % to the approach of a sphere.",
                {{"obstacle", ""},
                 {"law", ""},
@@ -50,18 +53,17 @@ Finding geometry_table() {
 
 Finding contact_meetings(const Scene& scene) {
   Finding found = meeting_table();
-  std::vector<Meeting> meetings;
   for (const Body& body : scene.bodies)
-    for (const Meeting& meeting : touchdown(scene, body).meetings) meetings.push_back(meeting);
-  for (const Meeting& meeting : meetings) {
-    const ContactPair& pair = scene.contacts[meeting.contact];
-    const ContactSize& size = meeting.size;
-    const bool lumped = pair.law == ContactLaw::hertz;
-    found.rows.push_back({pair.obstacle, lumped ? "hertz, lumped [N/m^1.5]" : "penalty per area", size.stiffness,
-                          pair.stiffness != 0 ? "given" : "auto", size.modulus, size.radius,
-                          lumped ? not_applicable() : number(size.stiffness * size.radius / size.modulus), meeting.t,
-                          size.speed, size.approach, size.duration, size.force});
-  }
+    for (const Meeting& meeting : touchdown(scene, body).meetings) {
+      const ContactPair& pair = scene.contacts[meeting.contact];
+      const ContactSize& size = meeting.size;
+      const bool lumped = pair.law == ContactLaw::hertz;
+      found.rows.push_back({pair.obstacle, lumped ? "hertz, lumped [N/m^1.5]" : "penalty per area", size.stiffness,
+                            pair.stiffness != 0 ? "given" : "auto", size.modulus, size.radius,
+                            lumped ? not_applicable() : number(size.stiffness * size.radius / size.modulus), meeting.t,
+                            size.speed, size.approach, size.duration, size.force});
+      bar_last_row(found, {{"first touch", touch_tolerance * extent(body.shape) / size.speed}});
+    }
   return found;
 }
 

@@ -65,9 +65,13 @@ Finding dynamics(const AnalysisContext& context) {
     const SolvedBody body = solved_body(scene, n_modes);
     const ModesAgainstSteps seen = modes_against_steps(context, body, scene);
     const BarredFrequency first = first_frequency(body, scene);
-    found.rows.push_back({nu, count(body.system().M.rows()), first.hertz, seen.off, seen.newmark_far_past,
-                          seen.central_below, seen.central_past});
-    bar_last_row(found, {{"first frequency", first.bar}, {"modes against steps", seen.bar}});
+    found.rows.push_back({nu, count(body.system().M.rows()), first.hertz, seen.off, seen.newmark_far_past.value,
+                          seen.central_below.value, seen.central_past.value});
+    bar_last_row(found, {{"first frequency", first.bar},
+                         {"modes against steps", seen.bar},
+                         {"energy, newmark", seen.newmark_far_past.bar},
+                         {"energy below the limit", seen.central_below.bar},
+                         {"energy past the limit", seen.central_past.bar}});
   }
   return found;
 }

@@ -70,8 +70,10 @@ ModesAgainstSteps modes_against_steps(const AnalysisContext& context, const Solv
   const MappedSystem mapped =
       mapped_system(std::move(reduced), sample_times(scene), scene.duration, scene.study.load_tolerance);
   const double limit = predicted_limit(mapped, "central-difference");
-  const auto energy = [&](const char* integrator, double dt) {
-    return step_cell(mapped, context.catalogue.integrator(integrator), dt, steps_of_vibration).energy;
+  const auto energy = [&](const char* name, double dt) {
+    const Integrator& integrator = context.catalogue.integrator(name);
+    const StepCell cell = step_cell(mapped, integrator, dt, steps_of_vibration);
+    return BarredEnergy{cell.energy, std::isfinite(cell.energy) ? bar_of_energy(mapped, integrator, cell) : 0};
   };
   const auto [off, bar] = off_steps(context, body, scene);
   return {off, bar, energy("newmark", far_past * limit), energy("central-difference", below * limit),

@@ -26,10 +26,14 @@ struct BarredFrequency {
 };
 BarredFrequency first_frequency(const SolvedBody& body, const Scene& scene);
 
+struct BarredEnergy {
+  double value, bar;  // [-] bar: of rounding (bar_of_energy); 0 where the energy is not finite
+};
+
 struct ModesAgainstSteps {
-  double off, bar;                     // [-] against steps at rtol 1e-6; how far these at 1e-5 are from them
-  double newmark_far_past;             // [-] energy at 1000 times the limit of central differences
-  double central_below, central_past;  // [-] of these at 0.99 and 1.01 of it
+  double off, bar;                           // [-] against steps at rtol 1e-6; how far these at 1e-5 are from them
+  BarredEnergy newmark_far_past;             // at 1000 times the limit of central differences
+  BarredEnergy central_below, central_past;  // of these at 0.99 and 1.01 of it
 };
 ModesAgainstSteps modes_against_steps(const AnalysisContext& context, const SolvedBody& body, const Scene& scene);
 

@@ -30,7 +30,8 @@ Finding multiplets_table() {
       "span, in the M norm; of the order of the residual over the gap. Bars: of a frequency twice the distance to that "
       "of the finer mesh of the case and what two solvers share, rounding of K and M, "
       "eps lambda_max/(2 lambda) of it; of the difference of frequency that alone, of the gap what it makes of two "
-      "eigenvalues: either is of this mesh's matrices, whatever another's are.",
+      "eigenvalues: either is of this mesh's matrices, whatever another's are. Of the distance what rounding makes of "
+      "sums over n unknowns, n eps.",
       {{"first mode", ""},
        {"multiplicity", ""},
        {"frequency", "Hz"},
@@ -70,7 +71,7 @@ Finding answers_table() {
   return table("multiplets", "multiplets-answers", "Whether answers depend on the basis",
                "The scene's motion in closed form, in the modes of either solver, each of which has a basis of its own "
                "within every multiplet: difference of the deformations over all samples, in the M norm, over those in "
-               "the most modes.",
+               "the most modes. Bar: what rounding makes of sums over n unknowns, n eps.",
                {{"modes kept", ""}, {"difference", "-"}});
 }
 
@@ -84,6 +85,9 @@ MatrixXd motion(const System& system, const Modes& modes, const Scene& scene) {
       mapped_system(project(system, modes), sample_times(scene), scene.duration, scene.study.load_tolerance);
   return modes.Phi.rightCols(mapped.exact.rows()) * mapped.exact;
 }
+
+// [-] Of sums over n unknowns.
+double rounding_of_sums(Index n) { return static_cast<double>(n) * std::numeric_limits<double>::epsilon(); }
 
 double norm(const SparseMatrix& M, const MatrixXd& u) { return std::sqrt(u.cwiseProduct(M * u).sum()); }
 
@@ -101,6 +105,7 @@ Finding answers(const System& system, const Modes& modes, const ModalForm& dense
     before = n;
     const double off = norm(system.M, motion(system, kept, scene) - motion(system, head(all, n), scene));
     found.rows.push_back({count(n - modes.n_rigid), off / whole});
+    bar_last_row(found, {{"difference", rounding_of_sums(system.M.rows())}});
   }
   return found;
 }
@@ -129,9 +134,12 @@ std::vector<Finding> multiplets(const AnalysisContext& context) {
     const double rounding = rounding_of_frequency(body.modes, each.omega);
     const double off = std::abs(on_another_mesh[each.multiplet.first - n_rigid] - each.omega) / (2 * pi);
     const double mesh = std::isnan(off) ? infinity : bar_per_distance * off;
+    const double of_distance = rounding_of_sums(undamped.M.rows());
     bar_last_row(found, {{"frequency", mesh + rounding * hertz},
                          {"gap", rounding_of_gap(body.modes, each.omega, each.gap)},
-                         {"difference of frequency", rounding}});
+                         {"difference of frequency", rounding},
+                         {"subspace distance", of_distance},
+                         {"distance times gap", of_distance * each.gap}});
   }
   const std::vector<int> asked = mode_counts(context);
   return {found, kept(body.modes, dense.lambda, asked), answers(body.system, body.modes, dense, *context.scene, asked)};

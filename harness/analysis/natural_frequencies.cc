@@ -46,11 +46,15 @@ double refinement(const Resolution& a, const Resolution& b) {
   return ratio;
 }
 
+struct BarredOrder {
+  double order = nan, bar = nan;  // [-] bar: what the reference leaves open of both errors
+};
+
 // Between the finest two meshes of one degree and shape of cell, where the order is nearest its limit; NaN where there
 // are none or an error is not resolved.
-double observed_order(const std::vector<OnMesh>& meshes, const std::vector<double>& errors, double uncertainty) {
+BarredOrder observed_order(const std::vector<OnMesh>& meshes, const std::vector<double>& errors, double uncertainty) {
   int finest = 0;  // cells of the coarser of the pair
-  double order = nan;
+  BarredOrder found;
   for (size_t a = 0; a < meshes.size(); ++a)
     for (size_t b = 0; b < meshes.size(); ++b) {
       const double ratio = refinement(meshes[a].resolution, meshes[b].resolution);
@@ -58,9 +62,10 @@ double observed_order(const std::vector<OnMesh>& meshes, const std::vector<doubl
       const int coarser = meshes[a].resolution.cells.front();
       if (!told || !(ratio > 1) || coarser <= finest) continue;
       finest = coarser;
-      order = std::log(errors[a] / errors[b]) / std::log(ratio);
+      found = {std::log(errors[a] / errors[b]) / std::log(ratio),
+               uncertainty * (1 / errors[a] + 1 / errors[b]) / std::log(ratio)};
     }
-  return order;
+  return found;
 }
 
 // Of one degree and shape of cell, the finest first, at one ratio.
@@ -141,10 +146,12 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
     for (const OnMesh& mesh : meshes) errors.push_back(mesh.hertz(i) / f - 1);
     found.rows.push_back({count(i + 1), f, meshes[1].hertz(i), errors[1]});
     found.rows.back().insert(found.rows.back().end(), errors.begin(), errors.end());
-    found.rows.back().push_back(observed_order(meshes, errors, reference.uncertainty));
+    const BarredOrder observed = observed_order(meshes, errors, reference.uncertainty);
+    found.rows.back().push_back(observed.order);
     found.rows.back().push_back(convergence_index(meshes, row, i, is_held(scene.bodies.front())));
     found.bars.emplace_back(found.columns.size(), nan);  // of errors: what the reference leaves open
     for (size_t j = 3; j < 4 + meshes.size(); ++j) found.bars.back()[j] = reference.uncertainty;
+    found.bars.back()[4 + meshes.size()] = observed.bar;
     found.bars.back()[2] =
         std::max(std::abs(meshes[1].hertz(i) - meshes[0].hertz(i)), std::abs(meshes[1].hertz(i) - meshes[2].hertz(i)));
   }

@@ -72,7 +72,8 @@ double bar_of_energy(const MappedSystem& mapped, const Integrator& integrator, c
 // "as predicted", "not as predicted", "at the limit", "too slow to be seen", "no prediction"
 std::string verdict(const StepCell& cell);
 
-// dt [s] where rho passes 1; 0: at any step; infinity: nowhere; NaN: unknown. To 1e-9 of it.
+// dt [s] where rho passes 1; 0: at any step; infinity: nowhere; NaN: unknown. As exact as
+// stable_omega_h (mechanics/system/stability.h), where damping couples modes to 1e-9 of it.
 double predicted_limit(const MappedSystem& mapped, const std::string& integrator);
 
 }  // namespace mb

@@ -169,6 +169,11 @@ std::vector<double> steps_of_whole(const MappedSystem& whole, const std::string&
   return steps_from(std::max(limit / below_the_whole_limit, duration * n / most_whole_work), grid);
 }
 
+// [-] Of the closed form, whose loads are met to that.
+double bar_of_error(const StepCell& cell, const Scene& scene) {
+  return std::isfinite(cell.error) ? scene.study.load_tolerance : std::numeric_limits<double>::quiet_NaN();
+}
+
 // The cell of a number, for its bar.
 struct Origin {
   const MappedSystem* mapped = nullptr;
@@ -231,6 +236,7 @@ std::vector<Finding> stability_map(const AnalysisContext& context) {
         map.rows.push_back({integrator.name, count(mapped.modes.omega.size()), whole ? "full order" : "modes", dt,
                             dt / limit, cell.radius, cell.energy, cell.error, to_string(cell.found), limit,
                             verdict(cell)});
+        bar_last_row(map, {{"error", bar_of_error(cell, *context.scene)}});
       }
     };
     const std::vector<double> in_modes = steps_in_modes(all, integrator.name, steps, duration);

@@ -38,6 +38,8 @@ double formula_limit(const Scheme& scheme, const VectorXd& omega, const VectorXd
   return least;
 }
 
+double bar_of_limit(double zeta) { return 1e-9 + 3e-12 * zeta; }
+
 std::vector<Scheme> explicit_schemes() {
   return {scheme("explicit-euler"), scheme("symplectic-euler"), scheme("symplectic-euler, implicit damping"),
           scheme("central-difference"), scheme("central-difference, lagged damping")};
@@ -91,6 +93,8 @@ std::string growth_verdict(const GrowthRun& run) {
   if (std::abs(theory) < rounding && run.phase < 1) return "too short to tell";
   return std::abs(observed - theory) <= std::max(0.01 * std::abs(theory), rounding) ? "confirmed" : "not confirmed";
 }
+
+double bar_of_growth(const GrowthRun& run) { return rounding / std::abs(std::log(run.theory)); }
 
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Integrator& integrator, double dt,
                      double rho) {

@@ -28,6 +28,9 @@ struct StepLimit {
 // omega [rad/s] > 0, zeta [-] >= 0, of all modes kept; at least one.
 StepLimit measured_limit(const Scheme& scheme, const VectorXd& omega, const VectorXd& zeta);
 double formula_limit(const Scheme& scheme, const VectorXd& omega, const VectorXd& zeta);  // [s]; NaN: no formula
+// [-] Of a measured limit, relative, by any of explicit_schemes(): bisection, and what the allowance for rounding
+// (stability.h) moves where the terms that cancel are zeta times their difference.
+double bar_of_limit(double zeta);
 
 // Explicit schemes of schemes() and their damping variants, as this analysis lists them.
 std::vector<Scheme> explicit_schemes();
@@ -45,6 +48,8 @@ struct GrowthRun {
 // decays confirms no growth above that. "too short to tell" where theory says that the size stays within that 1e-8 and
 // the mode turned by less than a radian meanwhile.
 std::string growth_verdict(const GrowthRun& run);
+// [-] Of ln observed/ln theory: that 1e-8.
+double bar_of_growth(const GrowthRun& run);
 // As many steps as growth by a factor 3 takes, in [20, most_steps]. system: its loads and initial state are not used.
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme& scheme, const Integrator& integrator,
                      double dt, long most_steps);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "cases/scene/read_toml.h"
 #include "harness/analysis/context_test.h"
@@ -41,6 +42,19 @@ TEST(StepLimit, OfExplicitEulerNeedNotComeFromTheHighestMode) {
   EXPECT_NEAR(measured_limit(euler, omega, zeta).dt, 2e-4 / 10, 1e-8);
   EXPECT_EQ(measured_limit(scheme("central-difference"), omega, zeta).deciding, 2);
   EXPECT_EQ(measured_limit(euler, omega, VectorXd::Zero(3)).dt, 0);
+}
+
+// Where theory has one: up to 1e6 of omega h, beyond which a limit is none.
+TEST(StepLimit, IsThatOfTheFormulaWithinItsBar) {
+  for (const Scheme& scheme : explicit_schemes())
+    for (const double zeta : {0.0, 1e-6, 0.03, 1.0, 10.0, 300.0, 1e3, 1e5, 1e6, 1e8}) {
+      const double formula = scheme.formula(zeta), measured = stable_omega_h(scheme, zeta);
+      if (formula == 0 || formula > 1e6)
+        EXPECT_EQ(measured, formula == 0 ? 0 : std::numeric_limits<double>::infinity()) << scheme.name << zeta;
+      else
+        EXPECT_LE(std::abs(measured / formula - 1), bar_of_limit(zeta)) << scheme.name << " " << zeta;
+    }
+  EXPECT_LT(bar_of_limit(100), 2e-9);
 }
 
 TEST(StepLimit, RefusesBadInput) {

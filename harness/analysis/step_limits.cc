@@ -18,12 +18,14 @@ namespace mb {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Finding limits_table() {
   return table(
       "step-limits", "step-limits", "Largest stable time steps, by formula and measured",
-      "Measured: bisection of the spectral radius of the one-step amplification of every mode kept, to 1e-9; the "
-      "limit is the least over the modes. Formula: theory mode by mode, likewise the least. Damping ratios are those "
+      "Measured: bisection of the spectral radius of the one-step amplification of every mode kept, to 1e-9 and, of "
+      "ratios zeta above 300, to 3e-12 zeta; the limit is the least over the modes. Formula: theory mode by mode, "
+      "likewise the least. Damping ratios are those "
       "of the system's damping operator. Where single damping ratios are of other modes than those stepped, as of a "
       "lumped mass, that of the mesh itself, without a formula: the step at which 4 M + 2 s h C - h^2 K is singular, "
       "s = -1, 0, 1 for damping by the old, the mean, the new rate; none of explicit Euler. Full order otherwise: the "
@@ -129,12 +131,14 @@ double limit_of_mode(const Scheme& scheme, double omega, double zeta) {
   return measured_limit(scheme, VectorXd::Constant(1, omega), VectorXd::Constant(1, zeta)).dt;
 }
 
-// [-] Bars of the frequency of mode i and of what it limits the step to, relative; NaN where the other mesh has no such
-// mode. Limits go with 1/omega at one damping ratio, with 1/omega^2 at most where that falls with 1/omega.
+// [-] Bars of the frequency of mode i and of what it limits the step to, relative; unknown where the other mesh has no
+// such mode, of full order those of its own mesh alone. Limits go with 1/omega at one damping ratio, with 1/omega^2 at
+// most where that falls with 1/omega.
 struct RelativeBars {
-  double frequency = nan, limit = nan;
+  double frequency = infinity, limit = infinity;
 };
 RelativeBars relative_bars(const Scheme& scheme, const LimitSubject& s, Index i) {
+  if (std::isnan(s.r)) return {nan, 0};
   if (i >= s.omega_beside.size()) return {};
   const double limit = limit_of_mode(scheme, s.omega(i), s.zeta(i));
   const double beside = limit_of_mode(scheme, s.omega_beside(i), s.zeta_beside(i));
@@ -151,8 +155,14 @@ void bar_limits(Finding& limits, const Scheme& scheme, const LimitSubject& s, co
   };
   std::vector<std::pair<const char*, double>> bars{{"omega max", top.frequency * s.omega(last)},
                                                    {"omega deciding", deciding.frequency * s.omega(limit.deciding)}};
-  for (const char* name : {"dt formula", "dt measured", "over full order"})
-    if (std::isfinite(cell(name)) && cell(name) > 0) bars.emplace_back(name, deciding.limit * cell(name));
+  const double of_search = bar_of_limit(s.coupled ? 0 : s.zeta(limit.deciding));
+  const auto add = [&](const char* name, double bar) {
+    if (std::isfinite(cell(name)) && cell(name) > 0) bars.emplace_back(name, bar * cell(name));
+  };
+  add("dt formula", deciding.limit);
+  add("dt measured", deciding.limit + of_search);
+  add("measured / formula", of_search);
+  add("over full order", deciding.limit + 2 * of_search);
   bar_last_row(limits, bars);
 }
 
@@ -170,6 +180,7 @@ void add_runs(Finding& runs, const LimitSubject& s, const Scheme& scheme, const 
     const double difference = std::log(run.observed) / std::log(run.theory) - 1;
     runs.rows.push_back({s.name, s.r, scheme.name, integrator.name, factor, dt, static_cast<double>(run.n_steps),
                          run.theory, run.observed, difference, growth_verdict(run)});
+    bar_last_row(runs, {{"difference of logarithms", bar_of_growth(run)}});
   }
 }
 

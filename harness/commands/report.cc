@@ -109,6 +109,7 @@ int report_command(const ReportOptions& options, const Catalogue& catalogue, con
   if (stored.records.empty() && stored.findings.empty()) throw UsageError(nothing_to_report(known, options));
   input.records = std::move(stored.records);
   input.findings = std::move(stored.findings);
+  for (const RefusedLine& line : stored.refused) input.damaged.push_back(to_string(line));
   input.environment = input.records.empty() ? provenance("none") : input.records.front().provenance;
   const auto files = write_report(input, options.directory);
   for (const auto& file : files) fmt::print(console.out, "{}\n", file.string());

@@ -108,6 +108,7 @@ TEST(ReportCommandTest, DamageOfWhatIsReadIsNamedEvenQuietly) {
   EXPECT_EQ(said.code, 0) << said.err;
   for (const std::string& name : read) EXPECT_THAT(said.err, HasSubstr("left out: results/" + name));
   EXPECT_THAT(said.err, ::testing::Not(HasSubstr(".h5")));
+  EXPECT_THAT(text(scratch / "report/report.md"), HasSubstr("3 damaged files of the store are left out"));
 }
 
 // Each would be told what was measured of the other.

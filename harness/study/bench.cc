@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/study/memory.h"
 #include "harness/study/plan.h"
 
 namespace mb {
@@ -22,14 +23,26 @@ VectorXd frames_to_the_end(const Scene& scene) {
 
 }  // namespace
 
+void Bench::let_go() {
+  basis_ = {}, closed_form_ = {};
+  model_.reset();
+}
+
 const Model& Bench::model(const Resolution& resolution) {
   if (!model_ || !(resolution_ == resolution)) {
-    basis_ = {}, closed_form_ = {};
-    model_.reset();
+    let_go();
     assembly_ = seconds([&] { model_ = std::make_unique<Model>(make_model(scene_, resolution)); });
     resolution_ = resolution;
   }
   return *model_;
+}
+
+const Model& Bench::model(const Resolution& resolution, double needed, std::optional<double> available) {
+  if (!model_ || !(resolution_ == resolution)) {
+    let_go();
+    require_memory(needed, available);
+  }
+  return model(resolution);
 }
 
 const Bench::Basis& Bench::basis(const LinearMethod& method, const Settings& settings, const Model& mesh) {

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ class Bench {
 
   // One model at a time, the largest thing here: a reference is valid until another resolution is asked for.
   const Model& model(const Resolution& resolution);
+  // Likewise, where it is not at hand and takes so much [byte], which must be there once what is at hand is let go:
+  // throws as require_memory.
+  const Model& model(const Resolution& resolution, double needed, std::optional<double> available);
   // Contenders that differ by integrator and step alone share a basis, as long as they follow each other; the time it
   // took is charged to each.
   ReadyContender prepare(const Contender& contender);
@@ -45,6 +49,7 @@ class Bench {
                             double repeat_below) const;
 
  private:
+  void let_go();
   std::shared_ptr<const Scene> scene_;
   const Catalogue& catalogue_;
   std::unique_ptr<Model> model_;

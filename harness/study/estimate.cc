@@ -232,6 +232,12 @@ double of_basis(const Scene& scene, const Contender& contender, bool timed) {
   return sum;
 }
 
+Contender widest(const Scene& scene, const Resolution& mesh) {
+  Contender contender{"eigenmodes", "exact", mesh, {}};
+  for (const int r : scene.study.modes) contender.settings.modes = std::max(contender.settings.modes, r);
+  return contender;
+}
+
 }  // namespace
 
 double memory(const Scene& scene) {
@@ -262,14 +268,16 @@ double memory_of_modes(const Scene& scene, const Body& body, double n_modes) {
          program;
 }
 
+double memory_of_analysis(const Scene& scene, const Resolution& mesh) {
+  return memory(scene, widest(scene, mesh), false);
+}
+
 double memory(const Scene& scene, const Job& job, bool timed) {
   timed = timed || takes_times(job);
   if (job.kind == Job::Kind::marks)
     return memory(scene, job.contender, timed) +
            std::max(answers_of_marks * of_answer(scene), timed ? of_frames(scene) : 0);
-  Contender widest{"eigenmodes", "exact", own_meshes(scene), {}};
-  for (const int r : scene.study.modes) widest.settings.modes = std::max(widest.settings.modes, r);
-  return memory(scene, widest, timed) + answers_of_analyses * of_answer(scene);
+  return memory(scene, widest(scene, own_meshes(scene)), timed) + answers_of_analyses * of_answer(scene);
 }
 
 }  // namespace mb

@@ -47,8 +47,9 @@ double memory_of_answers(const Scene& scene);                                  /
 double memory(const Scene& scene, const Resolution& mesh);                     // of one mesh and one answer
 double memory(const Scene& scene, const Contender& contender, bool timed);     // that, with its modes and states
 double memory_of_modes(const Scene& scene, const Body& body, double n_modes);  // of one body's mesh, and modes of it
+double memory_of_analysis(const Scene& scene, const Resolution& mesh);  // of one more mesh and the study's most modes
 // Likewise of a contender's marks; or of an analysis, on the case's own meshes with the largest mode count of the study
-// and with every truth once more: meshes that it makes for itself are not foreseen.
+// and with every truth once more. Other meshes that it makes are asked for by memory_of_analysis when it makes them.
 double memory(const Scene& scene, const Job& job, bool timed);
 
 }  // namespace mb

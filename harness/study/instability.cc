@@ -43,4 +43,8 @@ void name_unstable(std::vector<Record>& marks, Limit limit) {
   }
 }
 
+void name_unknown(std::vector<Record>& marks) {
+  for (Record& record : marks) record.provenance["growth"] = "unknown";
+}
+
 }  // namespace mb

@@ -26,4 +26,7 @@ Limit kept_limit(const std::vector<Record>& marks, const Integrator& integrator,
 // Gives them the status of such a limit (cases/contract/status.h), neither value nor bar.
 void name_unstable(std::vector<Record>& marks, Limit limit);
 
+// Says of them that their steps may be past their limit, and nobody knows (is_growth_unknown of record.h).
+void name_unknown(std::vector<Record>& marks);
+
 }  // namespace mb

@@ -41,6 +41,13 @@ TEST(Instability, OfExplicitStepsIsWhatIsNotFiniteFarOffOrGrowsByTheory) {
   }
 }
 
+TEST(Instability, WhatIsUnknownIsSaidOfEveryMark) {
+  std::vector<Record> marks{mark("displacement-error", 0.1), mark("strain-error", 0.2)};
+  for (const Record& record : marks) EXPECT_FALSE(is_growth_unknown(record));
+  name_unknown(marks);
+  for (const Record& record : marks) EXPECT_TRUE(is_growth_unknown(record) && record.status == "ok");
+}
+
 // Steps without a load show nothing: they are no sound answer, but no proof that growth is seen, either.
 TEST(Instability, OfWhatIsNotMovedIsByTheoryAlone) {
   for (const char* scheme : {"central-difference", "symplectic-euler", "explicit-euler"}) {

@@ -15,6 +15,7 @@
 #include "harness/study/front.h"
 #include "harness/study/identity.h"
 #include "harness/study/instability.h"
+#include "harness/study/kept_answer.h"
 #include "harness/study/memory.h"
 #include "harness/study/step_growth.h"
 #include "harness/study/stored.h"
@@ -24,27 +25,6 @@ namespace mb {
 namespace {
 
 constexpr std::size_t most_told = 1000;  // [bytes] of a failure's reason
-
-// Whether the answer is one: what failed, or grew beyond its limit, leaves no numbers behind.
-bool is_answer(const Trajectory& answer, const std::vector<Record>& marks) {
-  return answer.status == Status::ok &&
-         std::ranges::none_of(marks, [](const Record& r) { return is_unstable(r.status) || r.status == "not_finite"; });
-}
-
-// Every n-th sample.
-Trajectory thinned(const Trajectory& all, Index n) {
-  const auto kept = Eigen::seq(0, all.t.size() - 1, std::max<Index>(1, n));
-  Trajectory few{all.t(kept), {}, all.work, all.status};
-  for (const BodyTrajectory& body : all.bodies) {
-    few.bodies.push_back(
-        {body.displacement.cols() > 0 ? MatrixXd(body.displacement(Eigen::all, kept)) : MatrixXd(), {}});
-    const auto& [force, impulse, stored, dissipated, touches] = body.contact;
-    if (force.cols() == all.t.size())
-      few.bodies.back().contact = {force(Eigen::all, kept), impulse(Eigen::all, kept), stored(kept), dissipated(kept),
-                                   touches};
-  }
-  return few;
-}
 
 class CaseRun {
  public:
@@ -101,6 +81,9 @@ class CaseRun {
     }
     return todo;
   }
+
+  // [byte] What there is.
+  std::optional<double> room() const { return options_.memory ? options_.memory : available_memory(); }
 
   bool stop() {
     outcome_.interrupted = outcome_.interrupted || (options_.interrupted && options_.interrupted());
@@ -159,7 +142,7 @@ class CaseRun {
   void compete(const Grader& grader, const Job& job, const std::string& count) {
     Record record = base(job.contender);
     try {
-      require_memory(memory(*scene_, job, options_.timed), options_.memory ? options_.memory : available_memory());
+      require_memory(memory(*scene_, job, options_.timed), room());
       const ReadyContender ready = bench_.prepare(job.contender);
       record.modes_used = ready.prepared->modes_used();
       record.n_unknowns = ready.prepared->n_unknowns();
@@ -197,6 +180,7 @@ class CaseRun {
       std::ranges::move(grader.marks_of_steps(record, answer, closed->simulate({.t = answer.t}), closed->load_error()),
                         std::back_inserter(records));
     if (limit != Limit::kept) name_unstable(records, limit);
+    if (grown.unknown) name_unknown(records);
     if (is_answer(answer, records)) {
       Trajectory kept = thinned(answer, std::lround(scene_->samples_per_second / scene_->frame_rate));
       kept.case_name = scene_->name;
@@ -214,6 +198,8 @@ class CaseRun {
     for (const Record& r : records) {
       if (r.metric == "displacement-error" && r.truth == "finer")
         said = is_unstable(r.status) ? r.status + ", no trajectory kept" : fmt::format("error {:.2e}", r.value);
+      if (r.metric == "displacement-error" && r.truth == "finer" && is_growth_unknown(r))
+        said += ", not known whether its steps are past their limit";
       if (r.metric == "online-time") time = fmt::format(" · {:.3g} s", r.value);
     }
     progress_(fmt::format("{} {} · {} · {}{}", count, scene_->name, job.label, said, time));
@@ -221,11 +207,12 @@ class CaseRun {
 
   void analyse(const Job& job, const TruthSet& truth, const std::string& count) {
     std::vector<Finding> findings;
-    const AnalysisContext context{scene_, catalogue_, truth,
-                                  [this](const Resolution& r) -> const Model& { return bench_.model(r); }};
+    const AnalysisContext context{scene_, catalogue_, truth, [this](const Resolution& mesh) -> const Model& {
+                                    return bench_.model(mesh, memory_of_analysis(*scene_, mesh), room());
+                                  }};
     std::string said;
     try {
-      require_memory(memory(*scene_, job, options_.timed), options_.memory ? options_.memory : available_memory());
+      require_memory(memory(*scene_, job, options_.timed), room());
       const double time = seconds([&] { findings = told(analysis(job.analysis), context); });
       said = fmt::format("{} tables · {:.1f} s", findings.size(), time);
     } catch (const std::exception& error) {
@@ -269,7 +256,7 @@ class CaseRun {
   void time(const Grader& grader, const Record& record) {
     const Job job{Job::Kind::marks, record.run, label(record.contender), record.contender, ""};
     try {
-      require_memory(memory(*scene_, job, options_.timed), options_.memory ? options_.memory : available_memory());
+      require_memory(memory(*scene_, job, options_.timed), room());
       store_.write_times(record.run, bench_.times(grader, record, bench_.prepare(record.contender), any_time));
     } catch (const StoreError&) {
       throw;

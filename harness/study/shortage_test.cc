@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "harness/faults_test.h"
+#include "harness/study/estimate.h"
 #include "harness/study/run_case.h"
 #include "harness/study/stored.h"
 
@@ -75,6 +76,33 @@ TEST(ShortageCases, AShortageOfMemoryTakesNoMarksAway) {
   EXPECT_EQ(starved.n_failed, 4);
   for (const Record& r : store.read_all_records().records) EXPECT_EQ(r.status, "ok") << r.metric;
   EXPECT_EQ(modalbench(scratch.path(), {"run", "case.toml"}).code, 0);
+}
+
+// What an analysis needs of its own mesh is there, what it needs of the finer one beside is not.
+TEST(ShortageCases, AMeshThatAnAnalysisAsksForIsRefusedBeforeItIsMade) {
+  const ScratchFolder scratch;
+  std::string words = faults::analysed_case();
+  const auto replace = [&](const std::string& what, const std::string& by) {
+    words.replace(words.find(what), what.size(), by);
+  };
+  replace("probe-extremes", "mode-amplitudes");
+  replace("finer = { degree = 3, cells = [1, 2] }", "finer = { degree = 3, cells = [2, 6] }");
+  written(scratch / "case.toml", words);
+  ASSERT_EQ(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).code, 0);
+  const auto scene = std::make_shared<const Scene>(read_toml(scratch / "case.toml", default_catalogue().vocabulary()));
+  const Store store(scratch / "results");
+  fs::remove_all(scratch / "results/findings");
+  const double own = memory(*scene, jobs(*scene, default_catalogue()).back(), false);
+  const double finer = memory_of_analysis(*scene, scene->truth.finer);
+  ASSERT_LT(own, 0.8 * finer);
+  RunOptions options;
+  options.timed = false;
+  options.memory = 0.9 * finer;
+  EXPECT_EQ(run_case(scene, default_catalogue(), store, options, [](const std::string&) {}).n_failed, 1);
+  const auto found = store.read_all_findings().findings;
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found.front().note, HasSubstr("out of memory: takes about"));
+  EXPECT_EQ(modalbench(scratch.path(), {"run", "case.toml", "--untimed"}).code, 0);  // there is more
 }
 
 // What another process stores of its shortage while answers are computed gives way to them, and takes none away.

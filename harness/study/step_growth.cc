@@ -20,18 +20,20 @@ double radius(const System& system, const std::string& integrator, double h) {
   return scheme ? step_radius(stepped_modes(system), *scheme, h) : nan;
 }
 
-// A mesh of which ARPACK finds no mode keeps its answer, whatever it grows by.
+// A mesh of which ARPACK finds no mode keeps its answer, and a word that nothing is known of it.
 double radius_or_nothing(const System& system, const std::string& integrator, double h) try {
   return radius(system, integrator, h);
 } catch (const std::runtime_error&) {
   return nan;
 }
 
+// Their energy tells (harness/metrics/contact_metrics.h).
+bool is_in_frames(const Reduction& reduction) { return reduction.in_contact && reduction.modes_used >= 0; }
+
 }  // namespace
 
 double predicted_growth(const Reduction& reduction, const std::string& integrator, double h, double duration) {
-  const bool in_frames = reduction.in_contact && reduction.modes_used >= 0;
-  if (in_frames) return nan;
+  if (is_in_frames(reduction)) return nan;
   double largest = 0;
   for (const LinearBody& body : reduction.bodies) {
     const double rho = radius_or_nothing(body.system, integrator, h);
@@ -42,10 +44,10 @@ double predicted_growth(const Reduction& reduction, const std::string& integrato
 }
 
 Grown growth_of(const Reduction* reduction, const Integrator& integrator, double h, double duration) {
-  if (!reduction || !integrator.conditionally_stable) return {nan, false};
+  if (!reduction || !integrator.conditionally_stable) return {nan, false, false};
   const auto stretches = [](const LinearBody& body) { return body.system.stored_energy != nullptr; };
-  return {predicted_growth(*reduction, integrator.name, h, duration),
-          std::ranges::any_of(reduction->bodies, stretches)};
+  const double growth = predicted_growth(*reduction, integrator.name, h, duration);
+  return {growth, std::ranges::any_of(reduction->bodies, stretches), std::isnan(growth) && !is_in_frames(*reduction)};
 }
 
 }  // namespace mb

@@ -17,8 +17,9 @@ namespace mb {
 double predicted_growth(const Reduction& reduction, const std::string& integrator, double h, double duration);
 
 struct Grown {
-  double by_theory;  // [-] as above
-  bool about_rest;   // whether that is the theory of another motion: of finite deformation
+  double by_theory;      // [-] as above
+  bool about_rest;       // whether that is the theory of another motion: of finite deformation
+  bool unknown = false;  // whether theory should tell of these steps, and does not
 };
 // Of conditionally stable integrators, of others nothing is known; reduction: or nullptr.
 Grown growth_of(const Reduction* reduction, const Integrator& integrator, double h, double duration);

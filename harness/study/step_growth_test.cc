@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "harness/catalogue.h"
 #include "mechanics/algebra/dense_eigen.h"
 #include "mechanics/system/one_step.h"
 #include "mechanics/system/oscillators_test.h"
@@ -131,6 +132,24 @@ TEST(StepGrowth, IsUnknownWhereNothingIsKnown) {
   System without_modes = lumped_box({});  // of which ARPACK finds none
   without_modes.K *= std::nan("");
   EXPECT_TRUE(std::isnan(predicted_growth(of({without_modes}), "symplectic-euler", 1e-3, 1)));
+}
+
+// Where theory tells of no such steps, their energy does.
+TEST(StepGrowth, WhatWasLookedForInVainIsSaid) {
+  System without_modes = lumped_box({});
+  without_modes.K *= std::nan("");
+  Reduction touching = of({oscillators(omega, {})}), in_vain = of({without_modes});
+  touching.modes_used = 3;
+  touching.in_contact = [](const Integrator&, const Settings&) { return std::unique_ptr<Prepared>(); };
+  const auto is_unknown = [](const Reduction* reduction, const char* integrator) {
+    return growth_of(reduction, default_catalogue().integrator(integrator), 1e-3, 1).unknown;
+  };
+  EXPECT_TRUE(is_unknown(&in_vain, "symplectic-euler"));
+  EXPECT_FALSE(is_unknown(&in_vain, "newmark"));
+  EXPECT_FALSE(is_unknown(&touching, "symplectic-euler"));
+  EXPECT_FALSE(is_unknown(nullptr, "symplectic-euler"));
+  const Reduction known = of({oscillators(omega, {})});
+  EXPECT_FALSE(is_unknown(&known, "symplectic-euler"));
 }
 
 }  // namespace
