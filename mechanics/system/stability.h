@@ -49,8 +49,8 @@ Matrix2d lagged_amplification(double omega_h, double zeta, double zeta_by_mean);
 
 // omega h where stability first ends, by bisection to 1e-9 of it; 0: unstable at any step; infinity: stable at any, up
 // to 1e6. What the allowance moves is more at ratios far above critical: 2e-12 zeta of it by central differences, 4e-12
-// zeta by Newmark's schemes of gamma = 1/2; those of gamma > 1/2 are off by 6e-5 at 100, and hold anything at 1000.
-// zeta >= 0 and finite, else std::invalid_argument.
+// zeta by Newmark's schemes of gamma = 1/2; of those of gamma > 1/2 it is 6e-5 at a ratio of 100, and at 1000 no limit
+// is found. zeta >= 0 and finite, else std::invalid_argument.
 double stable_omega_h(const Scheme& scheme, double zeta);
 
 }  // namespace mb
