@@ -49,7 +49,7 @@ modes   = [2, 8]
 [[study.rival]]
 integrator = "newmark"
 time_steps = [)" +
-         fmt::format("{}", duration / 200) + "]\n";
+         fmt::format("{}", duration / 200) + "]\n[end]\n";
 }
 
 struct Held {

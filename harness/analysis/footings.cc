@@ -41,7 +41,7 @@ const std::vector<TablesOfAnalysis>& entries() {
          {"formulas of the schemes, mode by mode", "closed form",
           "as the bars say: bisection to 1e-9 of the step; of modes that of the mesh"}},
         {"step-limit-runs",
-         {"growth rho^n of one step's amplification", "closed form", "as the bars say: rounding of n steps"}},
+         {"growth rho^n of one step's amplification", "closed form", "rounding of n steps, below the 1 % asked for"}},
         {"step-limit-summary", {"growth rho^n of one step's amplification", "closed form", "counts are exact"}},
         {"step-limit-exponents", fitted}}},
       {"stability-map",

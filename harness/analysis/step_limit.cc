@@ -94,8 +94,6 @@ std::string growth_verdict(const GrowthRun& run) {
   return std::abs(observed - theory) <= std::max(0.01 * std::abs(theory), rounding) ? "confirmed" : "not confirmed";
 }
 
-double bar_of_growth(const GrowthRun& run) { return rounding / std::abs(std::log(run.theory)); }
-
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Integrator& integrator, double dt,
                      double rho) {
   const double until = 10 / std::log(rho);

@@ -48,8 +48,6 @@ struct GrowthRun {
 // decays confirms no growth above that. "too short to tell" where theory says that the size stays within that 1e-8 and
 // the mode turned by less than a radian meanwhile.
 std::string growth_verdict(const GrowthRun& run);
-// [-] Of ln observed/ln theory: that 1e-8.
-double bar_of_growth(const GrowthRun& run);
 // As many steps as growth by a factor 3 takes, in [20, most_steps]. system: its loads and initial state are not used.
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme& scheme, const Integrator& integrator,
                      double dt, long most_steps);

@@ -180,7 +180,6 @@ void add_runs(Finding& runs, const LimitSubject& s, const Scheme& scheme, const 
     const double difference = std::log(run.observed) / std::log(run.theory) - 1;
     runs.rows.push_back({s.name, s.r, scheme.name, integrator.name, factor, dt, static_cast<double>(run.n_steps),
                          run.theory, run.observed, difference, growth_verdict(run)});
-    bar_last_row(runs, {{"difference of logarithms", bar_of_growth(run)}});
   }
 }
 
