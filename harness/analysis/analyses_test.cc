@@ -168,8 +168,8 @@ TEST_F(AnalysesCases, StepLimitsOfModesHaveTheBarsOfTheirMesh) {
         EXPECT_NEAR(row.bar("dt measured") / row.number("dt measured"), of_omega, of_omega * of_omega)
             << "1/(1 + x) - 1 is -x but for x^2";
       }
-    } else {
-      EXPECT_TRUE(std::isnan(row.bar("dt measured")));
+    } else if (row.number("dt measured") > 0 && std::isfinite(row.number("dt measured"))) {
+      EXPECT_LT(row.bar("dt measured") / row.number("dt measured"), 2e-9) << "of the search alone";
     }
 }
 
