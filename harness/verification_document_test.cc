@@ -99,6 +99,24 @@ TEST(VerificationDocument, GivesEveryErrorItsUncertainty) {
   EXPECT_GT(n_errors, 400);
 }
 
+// Likewise of tables: what is no count has a bar, but for a column of bars and the step that a map begins to fail at.
+TEST(VerificationDocument, GivesEveryNumberOfATableItsUncertainty) {
+  const std::regex row(
+      R"(\| [^|]* \| (?:quick|standard) \| table ([^|]*) \| [^|]* \| [^|]* \| [^|]* \| ([^|]*) \| .*)");
+  const std::regex known(
+      R"(\d[\d.]*(?:e-?\d+)?|below the digits shown|none: counts are exact|none: how a run ends .*)");
+  std::smatch cell;
+  int n_numbers = 0;
+  for (const std::string& line : lines_of_document()) {
+    if (!std::regex_match(line, cell, row)) continue;
+    const std::string checked = cell.str(1);
+    if (checked.ends_with("column bar") || checked.find("column unstable from") != std::string::npos) continue;
+    EXPECT_TRUE(std::regex_match(cell.str(2), known)) << line;
+    ++n_numbers;
+  }
+  EXPECT_GT(n_numbers, 700);
+}
+
 // Sources of all tests, one after the other.
 std::string sources_of_tests() {
   std::string all;

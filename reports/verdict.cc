@@ -191,8 +191,7 @@ std::string warnings_sentence(const ReportInput& input) {
   return counted(n, "warning", "warnings") + " in " + counted(cases.size(), "case", "cases") + " (" +
          listed({cases.begin(), cases.end()}) +
          "), told there: strain or rotation beyond linear theory, steps in contact that gain energy, or steps that may "
-         "be "
-         "past their limit.";
+         "be past their limit.";
 }
 
 }  // namespace

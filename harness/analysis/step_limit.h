@@ -43,10 +43,14 @@ struct GrowthRun {
   long n_steps;             // over which growth is taken
   double theory, observed;  // [-] rho^n and what the run shows; NaN where it was not finite
   double phase = std::numeric_limits<double>::infinity();  // [rad] n omega dt
+  double other_modes = 0;                                  // [-] what they may add to the logarithm of growth
 };
-// "confirmed" where ln observed = ln theory within 1 % or 1e-8, which rounding does: a run that neither grows nor
-// decays confirms no growth above that. "too short to tell" where theory says that the size stays within that 1e-8 and
-// the mode turned by less than a radian meanwhile.
+// [-] Of the logarithm observed from that by theory, over that by theory or 1e-6, whichever is larger: a run that
+// neither grows nor decays has no logarithm to divide by. And its bar: rounding of n steps, and other modes.
+double difference_of_logarithms(const GrowthRun& run);
+double bar_of_difference(const GrowthRun& run);
+// "confirmed" where that difference is at most 1 %: of 1e-6 it is 1e-8. "too short to tell" where theory says that the
+// logarithm stays within that 1e-8 and the mode turned by less than a radian meanwhile.
 std::string growth_verdict(const GrowthRun& run);
 // As many steps as growth by a factor 3 takes, in [20, most_steps]. system: its loads and initial state are not used.
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme& scheme, const Integrator& integrator,
