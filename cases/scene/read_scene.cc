@@ -57,6 +57,9 @@ void check_end(Section& root) {
     root.error("closed_by", "the file is cut: its last table [end] is missing",
                "restore what is gone, or end the file with a line [end]");
   if (!ends) return;
+  if (const int last = root.where_last().line; last > root.where("end").line)
+    root.error("end", fmt::format("the file goes on after its last table, down to line {}", last),
+               "move [end] below that");
   if (auto end = root.section("end", true)) end->finish();
 }
 

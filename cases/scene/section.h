@@ -77,6 +77,7 @@ class Section {
   Position where() const { return where_; }
   Position where(const std::string& key) const;  // of its value; of the header where absent
   Position where_key(const std::string& key) const;
+  Position where_last() const { return last_place(*table_); }
   const std::string& title() const { return title_; }  // "[body.material]"
   void error(const std::string& key, const std::string& message, const std::string& help = "");
   Findings& findings() { return *findings_; }

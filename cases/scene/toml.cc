@@ -5,6 +5,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <functional>
+#include <tuple>
 
 #include "cases/scene/key_depth.h"
 
@@ -67,6 +69,23 @@ const char* type_name(const TomlValue& value) {
   static constexpr const char* names[] = {"a boolean",      "an integer", "a float", "a string",
                                           "a date or time", "an array",   "a table"};
   return names[value.value.index()];
+}
+
+Position last_place(const TomlTable& table) {
+  Position last{};
+  const auto take = [&](const Position& place) {
+    if (std::tie(place.line, place.column) > std::tie(last.line, last.column)) last = place;
+  };
+  const std::function<void(const TomlValue&)> visit = [&](const TomlValue& value) {
+    take(value.where);
+    if (const auto* array = std::get_if<TomlArray>(&value.value)) std::ranges::for_each(array->items, visit);
+    if (const auto* below = std::get_if<TomlTable>(&value.value)) take(last_place(*below));
+  };
+  for (const TomlEntry& entry : table.entries) {
+    take(entry.where);
+    visit(entry.value);
+  }
+  return last;
 }
 
 std::optional<TomlTable> parse_toml(std::string_view text, Findings& findings) {

@@ -34,6 +34,7 @@ struct TomlEntry {
 };
 
 const char* type_name(const TomlValue& value);  // "an integer", "a string", ...
+Position last_place(const TomlTable& table);    // where the last key or table of it, or below it, stands in the file
 
 // The root table, or nothing after one error in `findings`. The text must be valid UTF-8.
 // Keys dotted deeper than 16 levels are refused: the parser's recursion would overflow the stack.
