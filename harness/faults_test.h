@@ -17,9 +17,9 @@ namespace mb::faults {
 
 inline const std::vector<std::string> run{"run", "case.toml", "--untimed", "--resume"};
 
-inline std::vector<std::string> run_with(std::initializer_list<std::string> more) {
+inline std::vector<std::string> run_with(const std::vector<std::string>& more) {
   std::vector<std::string> words = run;
-  words.insert(words.end(), more);
+  words.insert(words.end(), more.begin(), more.end());
   return words;
 }
 

@@ -266,13 +266,16 @@ class ThreadsCases : public ::testing::TestWithParam<Threaded> {};
 // bars go, and what a map calls unstable may change. Of hard cases, over some ten thousand steps, 5e-9 was seen, and
 // 2e-8 of modes whose pairs lie 2e-4 apart, which turns them into each other by so many times their rounding; their
 // tables hold sizes of rounding itself, but what they count and say is the same.
-TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRounding) {
+TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRoundingAndInTwoProcessesToTheBit) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", GetParam().content);
-  for (const char* threads : {"1", "2"}) {
-    Process process(scratch.path(), run_with({"--threads", threads, "--store", threads}));
+  for (const std::vector<std::string>& how : {std::vector<std::string>{"--threads", "1", "--store", "1"},
+                                              {"--threads", "2", "--store", "2"},
+                                              {"--threads", "1", "--jobs", "2", "--store", "again"}}) {
+    Process process(scratch.path(), run_with(how));
     EXPECT_EQ(process.code(), 0) << process.err();
   }
+  expect_same_results(scratch / "1", scratch / "again");
   const auto one = read_records(scratch / "1/results.jsonl").records;
   const auto two = read_records(scratch / "2/results.jsonl").records;
   ASSERT_EQ(one.size(), two.size());

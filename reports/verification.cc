@@ -1,7 +1,10 @@
 #include "reports/verification.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "reports/check_cells.h"
 #include "reports/environment.h"
@@ -44,6 +47,43 @@ std::string uncertainty_of(const CheckResult& result) {
   if (result.has_bar) return "below the digits shown";
   if (result.check.table.empty()) return "none: of the answer alone";
   return result.unit.empty() ? "none: counts are exact" : result.footing.uncertainty;  // "-" has one without a unit
+}
+
+// [-] Value and bar over a bound from above, of runs.
+double share_of_limit(const CheckResult& result) {
+  if (!result.measured || result.check.method.empty() || !(result.check.at_most.value_or(0) > 0)) return 0;
+  return (result.value + result.error_bar) / *result.check.at_most;
+}
+
+struct Counted {
+  long n = 0, n_hold = 0;
+  double share = 0;
+  std::string closest = {};  // the check of that share
+
+  void add(const CheckResult& result) {
+    ++n;
+    n_hold += result.holds && result.decidable;
+    if (share_of_limit(result) > share) share = share_of_limit(result), closest = checked(result.check);
+  }
+};
+
+// By case, its profiles together.
+Sheet cases_table(const Evaluation& evaluation) {
+  Sheet table{.name = "cases", .title = "Cases", .note = {}, .columns = {}, .rows = {}, .n_keys = 0};
+  table.columns = {{"case", ""},
+                   {"checks", "", Kind::number},
+                   {"hold", "", Kind::number},
+                   {"of runs closest to its limit", ""},
+                   {"with its bar, of the limit", "%", Kind::number},
+                   {"source", ""}};
+  std::map<std::string, Counted> cases;
+  for (const CheckResult& result : evaluation.checks) cases[result.case_name].add(result);
+  std::map<std::string, std::string> sources;
+  for (const Scene& scene : evaluation.input.scenes) sources.emplace(scene.name, scene.source);
+  for (const auto& [name, seen] : cases)
+    table.rows.push_back({text_cell(name), count_cell(seen.n), count_cell(seen.n_hold), text_cell(seen.closest),
+                          seen.share > 0 ? number_cell(100 * seen.share) : text_cell(""), text_cell(sources[name])});
+  return table;
 }
 
 std::string unit_of(const CheckResult& result) { return result.unit == "-" ? "" : result.unit; }
@@ -95,12 +135,10 @@ std::string verification_document(const Evaluation& evaluation) {
   std::string text = "# Verification\n\n" + markdown_text(table.note) + "\n\n";
   text += "Made by `modalbench report` from stored results" +
           (commit.name.empty() ? std::string() : " of commit " + markdown_text(commit.name)) +
-          "; nothing here was written by hand. Sources of the cases:\n\n";
-  std::set<std::string> sources;  // of a case in two profiles once
-  for (const Scene& scene : evaluation.input.scenes)
-    sources.insert("- **" + markdown_text(scene.name) + "**: " + markdown_text(scene.source) + "\n");
-  for (const std::string& line : sources) text += line;
-  return text + "\n" + markdown(table);
+          "; nothing here was written by hand.\n\n";
+  const auto n_hold = std::ranges::count_if(evaluation.checks, [](const auto& c) { return c.holds && c.decidable; });
+  text += fmt::format("{} of {} checks hold.\n\n", n_hold, evaluation.checks.size());
+  return text + markdown(cases_table(evaluation)) + "\n## Check by check\n\n" + markdown(table);
 }
 
 }  // namespace mb

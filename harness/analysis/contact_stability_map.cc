@@ -64,7 +64,8 @@ Finding summary_table(const MappedMethod& mapped) {
   return table(
       "contact-stability", mapped.table + std::string("-summary"),
       "Whether steps in contact do what one of them says, " + std::string(mapped.in),
-      "Cells of the map by what was found. Error at the least step: the larger of peak force's and impulse's, of "
+      "Cells of the map by what was found; share: of what is as predicted, which no other verdict is. Error at the "
+      "least step: the larger of peak force's and impulse's, of "
       "whichever layer has the largest; order: exponent of the same of the scene's own layer over the steps, where "
       "it lies between 1e-9 and a tenth. Unstable within the limit: within both limits. Unstable from: the least "
       "unstable step, of its layer's opening limit. All of one impact: what rests opens its layer again and again, "
@@ -78,6 +79,8 @@ Finding summary_table(const MappedMethod& mapped) {
        {"bounded beyond the limit", ""},
        {"too short to be seen", ""},
        {"touch missed", ""},
+       {"may gain", ""},
+       {"share as predicted", ""},
        {"unstable from", "-"},
        {"error at the least step", "-"},
        {"order", "-"},
@@ -108,8 +111,9 @@ struct Summary {
     const auto n = static_cast<Index>(dt.size());
     const PowerLaw law =
         power_law(Eigen::Map<const VectorXd>(dt.data(), n), Eigen::Map<const VectorXd>(own_error.data(), n));
+    const double all = count("stable") + count("inaccurate") + count("unstable");
     return {integrator,
-            count("stable") + count("inaccurate") + count("unstable"),
+            all,
             count("stable"),
             count("inaccurate"),
             count("unstable"),
@@ -117,6 +121,8 @@ struct Summary {
             count("bounded beyond the limit"),
             count("too short to be seen"),
             count("touch missed"),
+            count("may gain"),
+            count("as predicted") / all,
             unstable_from,
             last_error,
             law.exponent,

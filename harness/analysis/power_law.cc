@@ -1,11 +1,19 @@
 #include "harness/analysis/power_law.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
 namespace mb {
+
+namespace {
+
+constexpr Index fewest_of_least = 4;
+
+}  // namespace
 
 PowerLaw power_law(const VectorXd& x, const VectorXd& y) {
   if (x.size() != y.size()) throw std::invalid_argument("a power law needs as many x as y");
@@ -22,6 +30,20 @@ PowerLaw power_law(const VectorXd& x, const VectorXd& y) {
   if (!(spread > 1e-24 * static_cast<double>(n))) return {nan, nan, n};  // one x up to rounding
   const double p = u.dot(v) / spread;
   return {p, std::sqrt((v - p * u).squaredNorm() / static_cast<double>(n - 2) / spread), n};
+}
+
+PowerLaw power_law_of_least(const VectorXd& x, const VectorXd& y) {
+  std::vector<Index> ascending(static_cast<std::size_t>(x.size()));
+  std::iota(ascending.begin(), ascending.end(), Index{0});
+  std::ranges::sort(ascending, {}, [&](Index i) { return x(i); });
+  const VectorXd u = x(ascending), v = y(ascending);
+  const Index first = std::min(x.size(), fewest_of_least);
+  PowerLaw best = power_law(u.head(first), v.head(first));
+  for (Index n = first + 1; n <= x.size(); ++n) {
+    const PowerLaw law = power_law(u.head(n), v.head(n));
+    if (!(law.standard_error >= best.standard_error)) best = law;
+  }
+  return best;
 }
 
 bool agrees(const PowerLaw& law, double claimed) {

@@ -39,6 +39,20 @@ TEST(PowerLaw, LeavesOutWhatHasNoLogarithm) {
   EXPECT_TRUE(agrees(law, 1));
 }
 
+TEST(PowerLaw, OfTheLeastLeavesOutWhatBendsAway) {
+  const VectorXd x{{8, 1, 2, 16, 4, 32}}, straight = 3 * x.array().square();
+  VectorXd bent = straight;
+  bent(3) = bent(5) = 100;  // of 16 and 32
+  EXPECT_NEAR(power_law_of_least(x, bent).exponent, 2, 1e-13);
+  EXPECT_EQ(power_law_of_least(x, bent).n_points, 4);
+  EXPECT_LT(power_law(x, bent).exponent, 1.5);
+  EXPECT_NEAR(power_law_of_least(x, straight).exponent, 2, 1e-13);
+  const VectorXd scattered{{40, 3, 1, 90, 30, 150}};  // of 1, 2, 4: 3, 1, 30
+  EXPECT_EQ(power_law_of_least(x, scattered).n_points, 6);
+  EXPECT_EQ(power_law_of_least(x.head(3), straight.head(3)).n_points, 3);
+  EXPECT_TRUE(std::isnan(power_law_of_least(x.head(2), straight.head(2)).exponent));
+}
+
 TEST(PowerLaw, OfNothingIsNone) {
   EXPECT_TRUE(std::isnan(power_law(VectorXd(), VectorXd()).exponent));
   EXPECT_TRUE(std::isnan(power_law(VectorXd{{2}}, VectorXd{{3}}).exponent));
