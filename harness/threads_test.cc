@@ -260,12 +260,11 @@ struct Threaded {
 
 class ThreadsCases : public ::testing::TestWithParam<Threaded> {};
 
-// The rounding of some hundred steps, far below every error bar. Tables and motions hold differences and times of
-// extremes, too, which lose two digits more. A box that falls flat on a stiff layer touches with one sample after
-// another, as rounding has it: answers by steps of one size agree to 1e-7 all the same, truths and maps as far as their
-// bars go, and what a map calls unstable may change. Of hard cases, over some ten thousand steps, 5e-9 was seen, and
-// 2e-8 of modes whose pairs lie 2e-4 apart, which turns them into each other by so many times their rounding; their
-// tables hold sizes of rounding itself, but what they count and say is the same.
+// The rounding of some hundred steps, far below every error bar; tables and motions, with differences and times of
+// extremes, lose two digits more. A box that falls flat on a stiff layer touches with one sample after another, as
+// rounding has it: answers by steps of one size agree to 1e-7, truths and maps as far as their bars go, and what a map
+// calls unstable may change. Of hard cases, over some ten thousand steps, 5e-9 was seen, 2e-8 where pairs of modes lie
+// 2e-4 apart; their tables hold sizes of rounding itself, but what they count and say is the same.
 TEST_P(ThreadsCases, ResultsOnTwoAreTheSameToRoundingAndInTwoProcessesToTheBit) {
   const ScratchFolder scratch;
   written(scratch / "case.toml", GetParam().content);

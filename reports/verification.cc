@@ -51,7 +51,9 @@ std::string uncertainty_of(const CheckResult& result) {
 
 // [-] Value and bar over a bound from above, of runs.
 double share_of_limit(const CheckResult& result) {
-  if (!result.measured || result.check.method.empty() || !(result.check.at_most.value_or(0) > 0)) return 0;
+  if (!result.measured || !std::isfinite(result.error_bar) || result.check.method.empty() ||
+      !(result.check.at_most.value_or(0) > 0))
+    return 0;
   return (result.value + result.error_bar) / *result.check.at_most;
 }
 

@@ -11,8 +11,8 @@
 //   stability-map             integrator | modes r | system | dt | dt / limit | spectral radius | energy | error |
 //                             found | limit | verdict
 //   stability-summary         integrator | cells | stable | inaccurate | unstable | not as predicted |
-//                             too slow to be seen | at the limit | share as predicted | order | standard error | largest energy |
-//                             energy over its bound
+//                             too slow to be seen | at the limit | share as predicted | order | standard error |
+//                             largest energy | energy over its bound
 //   aliasing                  frame rate | frames | contender | modes r | shutter | sub-samples | aliasing | droop |
 //                             low-band error | frame error
 //   aliasing-claim            claim | frame rate | energy above F/2 | aliasing full order | aliasing cut modal |
@@ -70,7 +70,8 @@
 //                             peak force error | impulse error | found | limit | opening limit | verdict
 //   contact-stability-summary integrator | cells | stable | inaccurate | unstable |
 //                             unstable within the limit | bounded beyond the limit | too short to be seen |
-//                             touch missed | may gain | share as predicted | unstable from | error at the least step | order | standard error
+//                             touch missed | may gain | share as predicted | unstable from |
+//                             error at the least step | order | standard error
 //   corrected-stability, corrected-stability-summary: the same, with static correction
 //   contact-meetings          obstacle | law | stiffness | stated | E* | a | k a/E* | first touch | speed | approach |
 //                             duration | force

@@ -52,7 +52,7 @@ const std::vector<TablesOfAnalysis>& entries() {
           "load_tolerance"}},
         {"stability-summary",
          {"spectral radius of one step, energy by theory, the closed form", "property",
-          "counts are exact; energies and orders as the bars say"}}}},
+          "counts are exact; energies as the bars say, of orders the standard error of the line"}}}},
       {"aliasing",
        {{"aliasing", same_mesh},
         {"aliasing-claim", same_mesh},

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -13,17 +12,22 @@ namespace {
 
 constexpr Index fewest_of_least = 4;
 
+std::vector<Index> usable(const VectorXd& x, const VectorXd& y) {
+  std::vector<Index> all;
+  for (Index i = 0; i < x.size(); ++i)
+    if (x(i) > 0 && y(i) > 0 && std::isfinite(x(i)) && std::isfinite(y(i))) all.push_back(i);
+  return all;
+}
+
 }  // namespace
 
 PowerLaw power_law(const VectorXd& x, const VectorXd& y) {
   if (x.size() != y.size()) throw std::invalid_argument("a power law needs as many x as y");
-  std::vector<Index> usable;
-  for (Index i = 0; i < x.size(); ++i)
-    if (x(i) > 0 && y(i) > 0 && std::isfinite(x(i)) && std::isfinite(y(i))) usable.push_back(i);
+  const std::vector<Index> of = usable(x, y);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto n = static_cast<Index>(usable.size());
+  const auto n = static_cast<Index>(of.size());
   if (n < 3) return {nan, nan, n};
-  VectorXd u = x(usable).array().log(), v = y(usable).array().log();
+  VectorXd u = x(of).array().log(), v = y(of).array().log();
   u.array() -= u.mean();
   v.array() -= v.mean();
   const double spread = u.squaredNorm();
@@ -33,13 +37,13 @@ PowerLaw power_law(const VectorXd& x, const VectorXd& y) {
 }
 
 PowerLaw power_law_of_least(const VectorXd& x, const VectorXd& y) {
-  std::vector<Index> ascending(static_cast<std::size_t>(x.size()));
-  std::iota(ascending.begin(), ascending.end(), Index{0});
-  std::ranges::sort(ascending, {}, [&](Index i) { return x(i); });
+  if (x.size() != y.size()) throw std::invalid_argument("a power law needs as many x as y");
+  std::vector<Index> ascending = usable(x, y);
+  std::ranges::stable_sort(ascending, {}, [&](Index i) { return x(i); });
   const VectorXd u = x(ascending), v = y(ascending);
-  const Index first = std::min(x.size(), fewest_of_least);
+  const Index first = std::min(u.size(), fewest_of_least);
   PowerLaw best = power_law(u.head(first), v.head(first));
-  for (Index n = first + 1; n <= x.size(); ++n) {
+  for (Index n = first + 1; n <= u.size(); ++n) {
     const PowerLaw law = power_law(u.head(n), v.head(n));
     if (!(law.standard_error >= best.standard_error)) best = law;
   }

@@ -50,7 +50,7 @@ struct GrowthRun {
 double difference_of_logarithms(const GrowthRun& run);
 double bar_of_difference(const GrowthRun& run);
 // "confirmed" where that difference is at most 1 %: of 1e-6 it is 1e-8. "too short to tell" where theory says that the
-// logarithm stays within that 1e-8 and the mode turned by less than a radian meanwhile.
+// logarithm stays within that 1e-8 and the mode turned by less than a radian meanwhile. Both whatever the bar.
 std::string growth_verdict(const GrowthRun& run);
 // As many steps as growth by a factor 3 takes, in [20, most_steps]. system: its loads and initial state are not used.
 GrowthRun growth_run(const System& system, const SteppedMode& mode, const Scheme& scheme, const Integrator& integrator,

@@ -56,8 +56,8 @@ Finding runs_table() {
       "the spectral radius. Observed: "
       "growth of the run's share in the eigenvector of the larger eigenvalue over the same n steps. Difference: "
       "of the logarithms of both, over that of theory or 1e-6, whichever is larger. A run confirms where it is "
-      "within 1 %; it is too short to tell where theory is within 1 % of 1e-6 and the mode turns by less than "
-      "a radian. Steps are as many as growth or decay by 3 takes, within bounds of work: near its limit "
+      "within 1 %; it is too short to tell where the logarithm by theory is below 1e-8 and the mode turns by "
+      "less than a radian. Steps are as many as growth or decay by 3 takes, within bounds of work: near its limit "
       "explicit Euler grows slowly. Bars: rounding of n steps; of the mesh itself also what other modes leave.",
       {{"system", ""},
        {"modes r", ""},
