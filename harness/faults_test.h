@@ -43,10 +43,11 @@ inline std::string timeless(std::string content) {
   return content.substr(0, content.rfind("{\"checksum\""));
 }
 
+// fewest_files: of the small case 4 truths, 4 answers, 4 runs and the marks of truths.
 inline void expect_same_results(const fs::path& a, const fs::path& b, size_t fewest_files = 12) {
   const auto first = finished(a), second = finished(b);
   ASSERT_EQ(first.size(), second.size());
-  EXPECT_GE(first.size(), fewest_files);  // 4 truths, 4 answers, 4 runs and the marks of truths
+  EXPECT_GE(first.size(), fewest_files);
   for (const auto& [name, content] : first) {
     ASSERT_TRUE(second.contains(name)) << name;
     EXPECT_TRUE(timeless(content) == timeless(second.at(name))) << name;

@@ -22,10 +22,8 @@ Finding aspect_table() {
       "against steps: 24 modes with static correction in closed form against all unknowns by adaptive steps at rtol "
       "1e-6, displacement, M norm; its bar, how far steps at 1e-5 are from those. Bar of a frequency: twice the "
       "distance to that of the finer mesh of the case. Energies: of these 24 modes the largest over the first of free "
-      "vibration "
-      "within 1000 steps, by average acceleration at 1000 times the limit of central differences, by these at 0.99 and "
-      "at "
-      "1.01 of it.",
+      "vibration within 1000 steps, by average acceleration at 1000 times the limit of central differences, by these "
+      "at 0.99 and at 1.01 of it.",
       {{"aspect", ""},
        {"unknowns", ""},
        {"first frequency", "Hz"},

@@ -60,18 +60,15 @@ Finding summary_table() {
       "stability-map", "stability-summary", "Whether steps do what the amplification says, and converge",
       "Cells of the map by what was found, all of an integrator and those on full order; share: of what is as "
       "predicted, which growth too slow to be seen and steps at the limit are not, and steps that no theory is known "
-      "of "
-      "are counted against it. Order: exponent of the error over the steps of the largest mode count, or of full "
-      "order, that grow less than tenfold "
-      "over the run by theory, whose error lies between 1e-9 and a tenth, of as many of the least, from four on, as "
-      "give the smallest standard error, which is that of the line, not how far this is from the least steps' own. A "
-      "load that jumps within a step makes every scheme one of "
-      "first order. Largest energy: over "
-      "all cells and steps, of that at the start of free vibration. Energy over its bound: the same of cells "
-      "within their limit, over what theory has, 1 of average acceleration and central differences, of symplectic "
-      "Euler the mean over the modes of 1/(1 - a/2 - sqrt(a^2 + (a/x - x)^2)/2), x = omega dt, a = 2 zeta x, undamped "
-      "1/(1 - x/2), of central differences whose damping lags by the same invariant; none where damping couples "
-      "modes.",
+      "of are counted against it. Order: exponent of the error over the steps of the largest mode count, or of full "
+      "order, that grow less than tenfold over the run by theory, whose error lies between 1e-9 and a tenth, of as "
+      "many of the least, from four on, as give the smallest standard error, which is that of the line, not how far "
+      "this is from the least steps' own. A load that jumps within a step makes every scheme one of first order. "
+      "Largest energy: over all cells and steps, of that at the start of free vibration. Energy over its bound: the "
+      "same of cells within their limit, over what theory has, 1 of average acceleration and central differences, of "
+      "symplectic Euler the mean over the modes of 1/(1 - a/2 - sqrt(a^2 + (a/x - x)^2)/2), x = omega dt, a = 2 zeta "
+      "x, undamped 1/(1 - x/2), of central differences whose damping lags by the same invariant; none where damping "
+      "couples modes.",
       {{"integrator", ""},
        {"cells", ""},
        {"stable", ""},

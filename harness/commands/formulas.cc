@@ -102,7 +102,8 @@ const std::map<std::string, FormulaAndSource>& analyses() {
         "for "
         "real time",
         "Pentland and Williams 1989, Good Vibrations, whose machine had one; harness/instruction_counter.h"}},
-      {"aspect", {"|u_r - u|/|u| of 24 modes against adaptive steps, max E(t)/E(0), at aspects 1, 4, 14, 50 and 200", ours}},
+      {"aspect",
+       {"|u_r - u|/|u| of 24 modes against adaptive steps, max E(t)/E(0), at aspects 1, 4, 14, 50 and 200", ours}},
       {"slenderness",
        {"|u_d - u| / |u| in the M norm, u_d: Ritz modes in polynomials of degree d, u: 96 modes and the static rest, "
         "at "
