@@ -1,8 +1,8 @@
 # mb_library(NAME LINK... [PRIVATE_LINK ...] [HEADERS to precompile])  library mb_NAME of every source of the current
 #   folder that is no test.
-# mb_tests(NAME [LINK ...] [HEADERS to precompile] [SHARED ...])  one GoogleTest binary of every *_test.cc of the
-#   current folder; suites of label `cases` whose tests share what the first of them computes, SHARED, run as one test
-#   each.
+# mb_tests(NAME [LINK ...] [HEADERS to precompile] [SHARED ...] [LONG regex])  one GoogleTest binary of every *_test.cc
+#   of the current folder; suites of label `cases` whose tests share what the first of them computes, SHARED, run as
+#   one test each; tests whose names match LONG take a minute and more: they are `long`, too.
 # mb_fuzz(NAME SOURCE... LINK ...)  one libFuzzer binary; the first source, X_fuzz.cc, names its seeds, X_fuzz/
 
 set(MODALBENCH_SANITIZE "" CACHE STRING "Sanitizers to compile with: address, undefined (comma-separated)")
@@ -139,7 +139,7 @@ function(mb_tests name)
   if(NOT BUILD_TESTING)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "" "LINK;HEADERS;SHARED" ${ARGN})
+  cmake_parse_arguments(ARG "" "LONG" "LINK;HEADERS;SHARED" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cc)
   if(NOT sources)
     return()
@@ -154,7 +154,7 @@ function(mb_tests name)
   target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(${name}_test PRIVATE MB_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   set(common NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60)
-  # MarksVerification computes truths on finer meshes: up to a minute alone, several times that on a loaded machine.
+  # MarksVerification computes truths on finer meshes: minutes alone, several times that on a loaded machine.
   math(EXPR verification_limit "900 * ${MODALBENCH_PATIENCE}")
   math(EXPR cases_limit "600 * ${MODALBENCH_PATIENCE}")
   gtest_discover_tests(${name}_test TEST_FILTER *Verification.* TEST_LIST ${name}_verification ${common}
@@ -167,6 +167,16 @@ function(mb_tests name)
     string(REPLACE ".*" "" suite_name ${suite})
     add_test(NAME ${suite_name} COMMAND ${name}_test --gtest_brief=1 --gtest_filter=${suite})
     set_tests_properties(${suite_name} PROPERTIES LABELS cases TIMEOUT ${cases_limit})
+  endforeach()
+  foreach(kind verification cases)   # read by ctest: gtest_discover_tests takes one label
+    file(CONFIGURE OUTPUT ${name}_${kind}_long.cmake @ONLY CONTENT [[
+foreach(test IN LISTS @name@_@kind@)
+  if(test MATCHES "^(@ARG_LONG@)$")
+    set_tests_properties(${test} PROPERTIES LABELS "@kind@;long")
+  endif()
+endforeach()
+]])
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}_${kind}_long.cmake)
   endforeach()
   set(unit -*Verification.*:*Cases.*)
   set(n_shards 4)

@@ -50,6 +50,7 @@ void expect_growth_as_estimated(const std::string& words, const Changes& small, 
   EXPECT_LT(of_large.peak, of_large.estimated);
 #endif
   ::testing::Test::RecordProperty("grown_over_expected", fmt::format("{:.3f}", grown / expected));
+  ::testing::Test::RecordProperty("peak_over_estimated", fmt::format("{:.3f}", of_large.peak / of_large.estimated));
 }
 
 TEST(MemoryCases, GrowsWithSamplesNoFasterThanEstimated) {
