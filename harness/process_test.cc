@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -34,6 +35,14 @@ State state_of(pid_t process) {
   if (end_of_name != std::string::npos)
     std::istringstream(line.substr(end_of_name + 2)) >> state.letter >> state.parent;
   return state;
+}
+
+// Of a line of numbers to that base in /proc/PROCESS/status; 0 where it has ended.
+unsigned long long status_of(pid_t process, std::string_view key, int base) {
+  std::ifstream status(std::filesystem::path("/proc") / std::to_string(process) / "status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(key)) return std::stoull(line.substr(key.size()), nullptr, base);
+  return 0;
 }
 
 void become(int descriptor, const char* file) {
@@ -99,6 +108,15 @@ double Process::most_memory() {
   return 1024.0 * static_cast<double>(most_resident_);
 }
 
+double Process::most_memory_of_its_own() {
+  unsigned long long most = 0;  // [KiB]
+  while (!ended_ && !reap(WNOHANG)) {
+    most = std::max(most, status_of(process_, "RssAnon:", 10) + status_of(process_, "VmSwap:", 10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return 1024 * static_cast<double>(most);
+}
+
 std::vector<pid_t> Process::children() const {
   std::vector<pid_t> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -109,12 +127,7 @@ std::vector<pid_t> Process::children() const {
   return found;
 }
 
-bool Process::handles(int signal) const {
-  std::ifstream status(std::filesystem::path("/proc") / std::to_string(process_) / "status");
-  for (std::string line; std::getline(status, line);)
-    if (line.starts_with("SigCgt:")) return std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1;
-  return false;
-}
+bool Process::handles(int signal) const { return status_of(process_, "SigCgt:", 16) >> (signal - 1) & 1; }
 
 bool metis_takes_signals() { return MB_METIS_TAKES_SIGNALS; }
 

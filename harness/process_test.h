@@ -25,7 +25,9 @@ class Process {
   void send_to_group(int signal) const;  // of which it must be the leader
   bool ends_within(double seconds);      // whether it has ended by then
   int code();                            // waits; the exit code, or minus the signal that ended it
-  double most_memory();                  // waits; [byte] resident at the peak
+  double most_memory();                  // waits; [byte] resident at the peak, its children's, too
+  double most_memory_of_its_own();       // waits; [byte] looked at every ms: no pages of files, which the system may
+                                         // take from it and give back at any time
   std::string out() const, err() const;
   std::vector<pid_t> children() const;  // that it has forked and that run now
   bool handles(int signal) const;       // by a function of its own, no longer by what the system has it do
