@@ -36,6 +36,8 @@ std::string line(const std::vector<std::string>& cells) {
 }  // namespace
 
 std::string markdown_text(std::string_view text) {
+  // Blanks at the begin of a line say nothing, but four of them that it is code.
+  while (!text.empty() && (text.front() == ' ' || is_control(text.front()))) text.remove_prefix(1);
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (is_control(text[i])) {

@@ -71,6 +71,8 @@ TEST(Markdown, TextStaysText) {
   EXPECT_EQ(markdown_text("---"), "\\---");
   EXPECT_EQ(markdown_text("-"), "-");
   EXPECT_EQ(markdown_text("-1.5 - 2. x"), "-1.5 - 2. x");
+  EXPECT_EQ(markdown_text(" # x"), "\\# x");
+  EXPECT_EQ(markdown_text("\n\t    1. x "), "1\\. x ");
 }
 
 TEST(Markdown, EveryRowHasTheColumnsOfTheHeader) {

@@ -2,6 +2,7 @@
 // hold freely: what must come out as text, on the page, too.
 #pragma once
 
+#include <iterator>
 #include <string>
 #include <variant>
 
@@ -11,7 +12,9 @@ namespace mb::synthetic {
 
 inline constexpr const char* markup =
     "=1+1</script><script>document.title='hostile'</script><img src=x onerror=\"document.title='hostile'\">"
-    "<a href=\"javascript:alert(1)\">&lt;b&gt;</a>";
+    "<a href=\"javascript:alert(1)\">&lt;b&gt;</a>\\input{/etc/passwd}*\x1b]0;t\x07";
+// What spreadsheets take for the begin of a formula, as behind blanks and in wide forms.
+inline constexpr const char* begins[] = {"", " ", "\u00a0", "\u3000\uff1d", "@", "+"};
 
 inline ReportInput hostile() {
   ReportInput all = input();
@@ -19,12 +22,14 @@ inline ReportInput hostile() {
     if (!record.subject.empty()) record.subject += markup;
     record.provenance["processor"] += markup;
   }
+  std::size_t n_texts = 0;
   for (Finding& finding : all.findings) {
     finding.title += markup;
     finding.note += markup;
     for (auto& row : finding.rows) {
       for (FindingCell& cell : row) {
-        if (auto* text = std::get_if<std::string>(&cell)) *text = markup + *text;
+        if (auto* text = std::get_if<std::string>(&cell))
+          *text = begins[n_texts++ % std::size(begins)] + (markup + *text);
       }
     }
   }

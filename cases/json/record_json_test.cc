@@ -140,7 +140,13 @@ TEST(RecordJson, WrongTypesAndRangesAreRefusedByName) {
     expect_refused(key, "");
     expect_refused(key, "--again");
   }
-  expect_refused("case", std::string(65, 'a'));
+  for (const char* key : {"case", "method", "metric", "integrator", "subject"}) {
+    expect_refused(key, std::string(65, 'a'));
+    expect_refused(key, "=1+1");
+    Json longest = to_json(example());
+    longest[key] = std::string(64, 'a');
+    EXPECT_NO_THROW(record_from_json(longest)) << key;
+  }
   expect_refused("truth", "guess");
   expect_refused("degree", -1);
   expect_refused("cells", Json::array({1, 2, 3, 4}));

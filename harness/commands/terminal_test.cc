@@ -8,9 +8,11 @@
 #include "cases/scene/printable.h"
 #include "harness/program_test.h"
 #include "harness/store/file.h"
+#include "harness/store/hdf5.h"
 #include "harness/store/scratch_folder_test.h"
 #include "harness/store/seal.h"
 #include "harness/store/store.h"
+#include "harness/store/trajectory_content.h"
 #include "harness/study/identity.h"
 #include "harness/study/plan.h"
 
@@ -77,6 +79,29 @@ TEST(TerminalTest, RecordsOfAStorePrint) {
        {std::vector<std::string>{"report", "small.toml"}, {"clean", "small.toml"}}) {
     const Said said = modalbench(scratch.path(), words);
     EXPECT_THAT(said.err, HasSubstr("'status' holds a character that does not print"));
+    expect_prints(said.err);
+    expect_prints(said.out);
+  }
+}
+
+// A truth of a case that is not here, which `clean` would name.
+TEST(TerminalTest, TrajectoriesOfAStorePrint) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  Trajectory truth;
+  truth.t = VectorXd{{0, 1}};
+  truth.case_name = "elsewhere";
+  const std::string hash(32, 'a');
+  Store(scratch / "results").write_truth(hash, truth);
+  const fs::path file = scratch / ("results/truth/" + hash + ".h5");
+  for (const std::string& name : {truth.case_name, evil}) {
+    Hdf5Content content = from_hdf5(read_file(file, 1 << 20));
+    content.texts["case"] = name;
+    content.texts["checksum"] = checksum_of(content);
+    write_file(file, to_hdf5(content));
+    const Said said = modalbench(scratch.path(), {"clean", "small.toml"});
+    EXPECT_THAT(said.err + said.out,
+                HasSubstr(name == evil ? "'case' is not a name" : "case 'elsewhere' is not found"));
     expect_prints(said.err);
     expect_prints(said.out);
   }

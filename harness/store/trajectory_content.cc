@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "cases/scene/name.h"
 #include "harness/store/contact_content.h"
 #include "harness/store/hash.h"
 #include "harness/store/hdf5_limits.h"
@@ -182,7 +183,10 @@ Trajectory trajectory_of(const Hdf5Content& content) {
   trajectory.t = t.col(0);
   if (!ascends(trajectory.t)) throw std::runtime_error("'t' does not ascend");
   trajectory.status = status_from(find(content.texts, "status"));
-  if (const auto named = content.texts.find("case"); named != content.texts.end()) trajectory.case_name = named->second;
+  if (const auto named = content.texts.find("case"); named != content.texts.end()) {
+    if (!is_name(named->second)) throw std::runtime_error("'case' is not a name");
+    trajectory.case_name = named->second;
+  }
   trajectory.work = {.steps = count("steps", any),
                      .rejected = count("rejected", any),
                      .factorisations = count("factorisations", any),

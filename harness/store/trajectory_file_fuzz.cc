@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/scene/name.h"
 #include "harness/store/hdf5.h"
 #include "harness/store/hdf5_checksums_fuzz.h"
 #include "harness/store/trajectory_content.h"
@@ -92,6 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require_sentence(refusal);
     return 0;
   }
+  require(trajectory.case_name.empty() || is_name(trajectory.case_name), "a case's name is none");
   require_same_trajectory(trajectory);
   return 0;
 }

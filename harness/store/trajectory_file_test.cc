@@ -154,6 +154,14 @@ TEST(TrajectoryFile, FaultsAreTold) {
   expect_fault([](Hdf5Content& c) { c.counts["schema"] = 2; }, "another schema");
   expect_fault([](Hdf5Content& c) { c.counts.erase("schema"); }, "'schema' is missing");
   expect_fault([](Hdf5Content& c) { c.texts["format"] = "recipe"; }, "is not a trajectory");
+  // A forger knows the checksum: it says that the file is whole, not that it is honest.
+  for (const std::string& name : {std::string("\x1b]0;t\x07"), std::string("../a"), std::string(65, 'a')})
+    expect_fault(
+        [&](Hdf5Content& c) {
+          c.texts["case"] = name;
+          c.texts["checksum"] = checksum_of(c);
+        },
+        "'case' is not a name");
   EXPECT_THROW(read_trajectory(folder / "missing.h5"), StoreError);
   EXPECT_THROW(read_trajectory("/dev/zero"), StoreError);
 }

@@ -152,6 +152,7 @@ TEST(FailureCases, DamagedResultsAreNamedAndComputedAgain) {
   EXPECT_THAT(
       said.err,
       HasSubstr(all[1].hash + ".jsonl: is cut short or altered: its checksum is missing or another; computed again"));
+  EXPECT_THAT(said.err, HasSubstr("timings/" + all[2].hash + ".jsonl: "));
   EXPECT_THAT(said.err, HasSubstr(all[4].hash + ".json: "));
   EXPECT_EQ(records_in(scratch).size(), n_records);
   EXPECT_THAT(modalbench(scratch.path(), {"run", "case.toml"}).err, HasSubstr("0 runs done, 5 found"));

@@ -14,9 +14,12 @@ if (!directory) {
 }
 
 const ending = '.vl.json';
+// Vega draws what it can without them, and says nothing: the first refusal is remembered.
+let refusal;
+const refuse = (text) => Promise.reject((refusal ??= new Error(text)));
 const loader = {
-  load: () => Promise.reject(new Error('a figure holds its own data')),
-  sanitize: () => Promise.reject(new Error('a figure links to nothing')),
+  load: () => refuse('a figure holds its own data'),
+  sanitize: () => refuse('a figure links to nothing'),
 };
 const isCurrent = (source, drawing) => {
   try {
@@ -45,6 +48,7 @@ for (const name of readdirSync(directory).filter((one) => one.endsWith(ending)).
   const source = join(directory, name),
     drawing = join(directory, name.slice(0, -ending.length) + '.svg');
   if (isCurrent(source, drawing)) continue;
+  refusal = undefined;
   try {
     const { spec } = compile({ background: 'white', ...JSON.parse(readFileSync(source, 'utf8')) });
     const view = new View(parse(spec, undefined, { ast: true }), {
@@ -52,7 +56,9 @@ for (const name of readdirSync(directory).filter((one) => one.endsWith(ending)).
       renderer: 'none',
       loader,
     });
-    write(drawing, await view.toSVG());
+    const svg = await view.toSVG();
+    if (refusal) throw refusal;
+    write(drawing, svg);
     view.finalize();
     drawn += 1;
   } catch (error) {

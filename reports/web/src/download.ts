@@ -1,4 +1,5 @@
-// Files made in the page. Spreadsheets run cells that begin with = + - @: such texts get a leading apostrophe.
+// Files made in the page. Spreadsheets run cells that begin with = + - @, behind blanks and in wide forms, too: such
+// texts get a leading apostrophe, as by csv.cc.
 import { announce, make } from './dom';
 import type { Cell, Column } from './report';
 
@@ -13,8 +14,10 @@ export function download(name: string, type: string, text: string): void {
 }
 
 function csvText(text: string): string {
-  const safe = /^[=+\-@\t\r\n]/.test(text) ? `'${text}` : text;
-  return /[",\r\n]/.test(safe) ? `"${safe.replace(/"/g, '""')}"` : safe;
+  const prints = text.replace(/[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]/g, ' ');
+  const isFormula = /^[ \u00a0\u1680\u2000-\u200a\u202f\u205f\u3000]*[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]/.test(prints);
+  const safe = isFormula ? `'${prints}` : prints;
+  return /[",;\t\r\n]/.test(safe) ? `"${safe.replace(/"/g, '""')}"` : safe;
 }
 
 const label = (column: Column): string => (column.unit ? `${column.name} [${column.unit}]` : column.name);
@@ -63,6 +66,7 @@ const inTex: Record<string, string> = {
   '`': '\\textasciigrave{}',
   '[': '{[}',
   ']': '{]}',
+  '*': '{*}',
   '<=': '$\\le$',
   '>=': '$\\ge$',
   '±': '$\\pm$',
@@ -75,7 +79,7 @@ const inTex: Record<string, string> = {
 
 // As latex.cc writes it: what stands in a cell prints as itself.
 function texText(text: string): string {
-  return text.replace(/<=|>=|[\\~^<>|"`[\]±✔▲⚡✘–]|[{}$&#_%]|[\x00-\x1f\x7f]/g, (c) =>
+  return text.replace(/<=|>=|[\\~^<>|"`[\]*±✔▲⚡✘–]|[{}$&#_%]|[\x00-\x1f\x7f]/g, (c) =>
     c < ' ' || c === '\x7f' ? ' ' : (inTex[c] ?? `\\${c}`),
   );
 }

@@ -1,7 +1,7 @@
 // A report open in a real browser, and what steps of the test ask of it.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, statSync } from 'node:fs';
+import { mkdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
@@ -85,7 +85,9 @@ export async function openReport(report, out, browserPath) {
     const [file] = await Promise.all([page.waitForEvent('download'), button.click()]);
     const path = join(out, file.suggestedFilename());
     await file.saveAs(path);
-    assert.ok(statSync(path).size > 100, `${name} is empty`);
+    const text = readFileSync(path, 'utf8');
+    assert.ok(text.length > 100, `${name} is empty`);
+    return text;
   }
   return { browser, page, faults, out, picture, saved, ...tableOf(page), ...stateOf(page, report) };
 }

@@ -34,6 +34,18 @@ assert.equal(all.status, 0, all.stderr);
 const [first, second] = drawings();
 assert.ok(drawings().length > 1 && drawings().every(whole));
 
+// Data from elsewhere are not fetched.
+const fetching = join(directory, 'fetching.vl.json');
+writeFileSync(
+  fetching,
+  JSON.stringify({ data: { url: join(directory, first) }, mark: 'point', encoding: { x: { field: 'a', type: 'nominal' } } }),
+);
+const refused = draw();
+rmSync(fetching);
+assert.equal(refused.status, 1, refused.stderr);
+assert.match(refused.stderr, /fetching.vl.json: not drawn: a figure holds its own data/);
+assert.ok(!drawings().includes('fetching.svg'));
+
 const outside = join(scratch, 'outside');
 writeFileSync(outside, 'mine</svg>');
 writeFileSync(join(directory, first), '<svg>cut');
