@@ -13,10 +13,10 @@ export function download(name: string, type: string, text: string): void {
   announce(`${name} was saved`);
 }
 
+const formula = /^[ \u00a0\u1680\u2000-\u200a\u202f\u205f\u3000]*[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]/;
 function csvText(text: string): string {
   const prints = text.replace(/[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]/g, ' ');
-  const isFormula = /^[ \u00a0\u1680\u2000-\u200a\u202f\u205f\u3000]*[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]/.test(prints);
-  const safe = isFormula ? `'${prints}` : prints;
+  const safe = formula.test(prints) ? `'${prints}` : prints;
   return /[",;\t\r\n]/.test(safe) ? `"${safe.replace(/"/g, '""')}"` : safe;
 }
 

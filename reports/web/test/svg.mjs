@@ -36,10 +36,8 @@ assert.ok(drawings().length > 1 && drawings().every(whole));
 
 // Data from elsewhere are not fetched.
 const fetching = join(directory, 'fetching.vl.json');
-writeFileSync(
-  fetching,
-  JSON.stringify({ data: { url: join(directory, first) }, mark: 'point', encoding: { x: { field: 'a', type: 'nominal' } } }),
-);
+const elsewhere = { data: { url: join(directory, first) }, mark: 'point' };
+writeFileSync(fetching, JSON.stringify({ ...elsewhere, encoding: { x: { field: 'a', type: 'nominal' } } }));
 const refused = draw();
 rmSync(fetching);
 assert.equal(refused.status, 1, refused.stderr);
