@@ -16,9 +16,17 @@ using ::testing::Not;
 
 // Killed soon after it has finished something, until nothing is left to do. A run is finished with its records: killed
 // before them, it writes the same trajectory again.
-class KilledFaultCases : public ::testing::TestWithParam<const char*> {};
+struct Killed {
+  const char* jobs;
+  bool timed;
+};
+void PrintTo(const Killed& k, std::ostream* out) { *out << k.jobs << (k.timed ? " timed" : ""); }
+class KilledFaultCases : public ::testing::TestWithParam<Killed> {};
 
 TEST_P(KilledFaultCases, ARunGoesOnWhereItWas) {
+  const auto [jobs, timed] = GetParam();
+  std::vector<std::string> words = run_with({"--jobs", jobs});
+  if (timed) std::erase(words, "--untimed");
   const ScratchFolder scratch;
   written(scratch / "case.toml", analysed_case());
   std::mt19937 random(5);
@@ -26,7 +34,7 @@ TEST_P(KilledFaultCases, ARunGoesOnWhereItWas) {
   std::map<std::string, fs::file_time_type> written_at;
   int n_killed = 0;
   for (bool ended = false; !ended; ++n_killed) {
-    Process process(scratch.path(), run_with({"--jobs", GetParam()}));
+    Process process(scratch.path(), words);
     while (!(ended = process.ends_within(0.002)) && finished(scratch / "results").size() == before.size()) continue;
     ended = ended || process.ends_within(static_cast<double>(random() % 100) / 1000);
     process.send(SIGKILL);
@@ -47,14 +55,16 @@ TEST_P(KilledFaultCases, ARunGoesOnWhereItWas) {
     for (const auto& [name, content] : now) written_at[name] = fs::last_write_time(scratch / ("results/" + name));
   }
   EXPECT_GE(n_killed, 4);  // the last one ended by itself
-  Process last(scratch.path(), run), alone(scratch.path(), run_with({"--store", "alone"}));
+  Process last(scratch.path(), words), alone(scratch.path(), run_with({"--store", "alone"}));
   EXPECT_EQ(last.code(), 0) << last.err();
   EXPECT_THAT(last.err(), HasSubstr("0 runs done, 5 found"));
   EXPECT_EQ(alone.code(), 0) << alone.err();
+  EXPECT_EQ(fs::remove_all(scratch / "results/timings") > 1, timed);
   expect_same_results(scratch / "alone", scratch / "results");
 }
 
-INSTANTIATE_TEST_SUITE_P(Processes, KilledFaultCases, ::testing::Values("1", "2"));
+INSTANTIATE_TEST_SUITE_P(Processes, KilledFaultCases,
+                         ::testing::Values(Killed{"1", false}, Killed{"2", false}, Killed{"1", true}));
 
 TEST(FaultCases, TwoRunsAtOnceDoNotHarmTheirStore) {
   const ScratchFolder scratch;
