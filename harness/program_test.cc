@@ -30,26 +30,6 @@ TEST(BadInputCases, MessagesAndExitCode) {
   EXPECT_GE(n_files, 20);
 }
 
-// A cylinder strained by two per cent, and by two thousandths.
-TEST(ProgramCases, WarnWhereLinearTheoryIsNot) {
-  const ScratchFolder scratch;
-  fs::create_directory(scratch / "cases");
-  std::string little = small_case();
-  for (const std::string load : {"-400", "400"})
-    little.replace(little.find("0, 0, " + load + "]"), 7 + load.size(),
-                   "0, 0, " + load.substr(0, load.size() - 1) + "]");
-  const char* const warned = "body: strain 0.0";
-  for (const bool beyond : {true, false}) {
-    written(scratch / "cases/small.toml", beyond ? small_case() : little);
-    const std::string store = beyond ? "beyond" : "within";
-    const Said said = modalbench(scratch.path(), {"run", "small", "--untimed", "--store", store});
-    EXPECT_EQ(said.code, 0) << said.err;
-    EXPECT_EQ(said.err.find(std::string("warning: small · ") + warned) != std::string::npos, beyond) << said.err;
-    EXPECT_EQ(modalbench(scratch.path(), {"report", "--store", store}).code, 0);
-    EXPECT_EQ(text(scratch / "report/report.md").find(std::string("Warning: ") + warned) != std::string::npos, beyond);
-  }
-}
-
 TEST(ProgramCases, RunsResumesReportsAndChecks) {
   const ScratchFolder scratch;
   written(scratch / "small.toml", small_case());
