@@ -73,9 +73,11 @@ TEST(FaultCases, TwoRunsAtOnceDoNotHarmTheirStore) {
   EXPECT_EQ(one.code(), 0) << one.err();
   EXPECT_EQ(other.code(), 0) << other.err();
   expect_sound(scratch / "results");
+  const std::string of_both = text(scratch / "results/results.jsonl");
   Process third(scratch.path(), run), alone(scratch.path(), run_with({"--store", "alone"}));
   EXPECT_EQ(third.code(), 0);
   EXPECT_THAT(third.err(), HasSubstr("0 runs done, 5 found"));
+  EXPECT_EQ(text(scratch / "results/results.jsonl"), of_both);  // whole before it
   EXPECT_EQ(alone.code(), 0);
   expect_same_results(scratch / "alone", scratch / "results");
 }

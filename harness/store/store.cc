@@ -194,6 +194,7 @@ RecordLines Store::read_all_records() const {
 }
 
 std::vector<RefusedLine> Store::rebuild_results() const {
+  const FolderLock lock(directory_);  // of several at once the last to write is the last to have looked
   RecordLines all = read_all_records();
   const std::filesystem::path file = directory_ / "results.jsonl";
   const std::string lines = lines_of(all.records);

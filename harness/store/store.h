@@ -4,7 +4,8 @@
 //   STORE/truth/<hash>.h5          answers of the truth         STORE/timings/<hash>.jsonl   the times of one run
 //   STORE/findings/<hash>.json     tables of one analysis       STORE/results.jsonl          all marks, rebuilt
 //
-// Runs that failed or were unstable have records, and no trajectory: no file holds a number that is not finite.
+// Runs that failed or were unstable have records, and no trajectory: no file of these holds a number that is not finite,
+// where there is none stands null. Tables may say "inf", by name: a largest stable step where none grows.
 //
 // Records, times and findings end in a line with the checksum of what stands before it (seal.h), .h5 files hold one;
 // results.jsonl is for others to read, this program never does.

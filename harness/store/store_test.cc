@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <future>
 #include <limits>
+#include <memory>
 
+#include "harness/store/file.h"
 #include "harness/store/hash.h"
 #include "harness/store/scratch_folder_test.h"
 #include "harness/store/seal.h"
@@ -83,6 +87,20 @@ TEST(Store, ResultsAreTheRecordsOfAllRunsSortedByRun) {
   EXPECT_EQ(lines.records[0].value, 2);
   EXPECT_EQ(lines.records[1].value, 3);
   EXPECT_EQ(lines.records[2].value, 4);
+}
+
+TEST(Store, ResultsOfTwoProcessesAtOnceAreThoseOfTheLast) {
+  const ScratchFolder folder;
+  const Store store(folder / "results");
+  store.write_records(low, {record(low, 1)});
+  auto lock = std::make_unique<FolderLock>(store.directory());
+  auto rebuilding = std::async(std::launch::async, [&] { store.rebuild_results(); });
+  EXPECT_EQ(rebuilding.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout)
+      << "looked without the lock";
+  store.write_records(high, {record(high, 2)});
+  lock.reset();
+  rebuilding.get();
+  EXPECT_EQ(read_records(store.directory() / "results.jsonl").records.size(), 2u);
 }
 
 TEST(Store, DamagedRecordsAreNamedAndLeftOut) {

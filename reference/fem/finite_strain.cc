@@ -75,7 +75,9 @@ FiniteStrain::FiniteStrain(const Discretisation& d, const Supports& supports, co
     const VectorXd one = centroid_.replicate(X.size() / 3, 1);
     mass_by_X_ = (MX - system.M * one).reshaped(3, X.size() / 3).transpose();
   }
-  twists_ = twist_fields(X_, centroid_, kept_).colPivHouseholderQr().solve(system.R);
+  twists_.resize(6, system.R.cols());
+  // Held bodies have none: Eigen would solve for what is not there, by a reference to null.
+  if (twists_.cols() > 0) twists_ = twist_fields(X_, centroid_, kept_).colPivHouseholderQr().solve(system.R);
 }
 
 VectorXd FiniteStrain::at_nodes(const VectorXd& u) const { return all_free_ ? u : VectorXd(T_ * u); }
