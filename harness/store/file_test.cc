@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <exception>
 #include <future>
 #include <random>
 #include <thread>
@@ -146,10 +147,17 @@ TEST(File, AFolderThatCannotBeLockedIsTold) {
   rlimit before{};
   ::getrlimit(RLIMIT_NOFILE, &before);
   const rlimit none{0, before.rlim_max};
+  std::exception_ptr thrown;
   ::setrlimit(RLIMIT_NOFILE, &none);
-  EXPECT_THAT([&] { FolderLock(folder.path()); },
+  try {
+    const FolderLock lock(folder.path());
+  } catch (...) {
+    thrown = std::current_exception();
+  }
+  ::setrlimit(RLIMIT_NOFILE, &before);  // before anything is looked at: sanitizers open files to do so
+  ASSERT_TRUE(thrown);
+  EXPECT_THAT([&] { std::rethrow_exception(thrown); },
               ThrowsMessage<StoreError>(AllOf(HasSubstr("cannot be opened to be locked"), HasSubstr("open files"))));
-  ::setrlimit(RLIMIT_NOFILE, &before);
   EXPECT_NO_THROW(FolderLock(folder.path()));
 }
 
