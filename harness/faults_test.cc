@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <regex>
 
 #include "harness/faults_test.h"
 
@@ -103,6 +104,39 @@ TEST(FaultCases, ReportsAtOnceLeaveAWholeOne) {
   EXPECT_EQ(text(scratch / "report/verification.md"), text(scratch / "alone/verification.md"));
   for (const auto& entry : fs::directory_iterator(scratch.path()))
     EXPECT_FALSE(entry.path().filename().string().starts_with(".unfinished")) << entry.path();
+}
+
+// Of one case a report has fewer tables than of two: what is listed is what stands, whoever came last.
+TEST(FaultCases, ReportsOfTwoStoresAtOnceLeaveOneOfThem) {
+  const ScratchFolder scratch;
+  written(scratch / "small.toml", small_case());
+  written(scratch / "large.toml",
+          std::regex_replace(analysed_case(), std::regex("name = \"small\""), "name = \"large\""));
+  const auto of = [&](const std::string& which, const std::string& directory) {
+    return std::vector<std::string>{"report", "--store", which, "-o", directory, which + ".toml"};
+  };
+  for (const char* which : {"small", "large"}) {
+    ASSERT_EQ(Process(scratch.path(), {"run", which + std::string(".toml"), "--untimed", "--store", which}).code(), 0);
+    ASSERT_EQ(Process(scratch.path(), of(which, which + std::string("-alone"))).code(), 0);
+  }
+  const auto files = [&](const std::string& folder) {
+    std::vector<std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(scratch / folder))
+      if (entry.is_regular_file()) all.push_back(fs::relative(entry.path(), scratch / folder).string());
+    std::ranges::sort(all);
+    return all;
+  };
+  const auto small = files("small-alone"), large = files("large-alone");
+  ASSERT_NE(small, large);
+  for (int i = 0; i < 8; ++i) {
+    {
+      Process one(scratch.path(), of("small", "both")), other(scratch.path(), of("large", "both"));
+      EXPECT_EQ(one.code(), 0) << one.err();
+      EXPECT_EQ(other.code(), 0) << other.err();
+    }
+    const bool is_small = text(scratch / "both/report.md").find("| large") == std::string::npos;
+    EXPECT_EQ(files("both"), is_small ? small : large) << i;
+  }
 }
 
 // 82^3 cubes of degree 1: nearly two million degrees of freedom, whose factor takes a terabyte.

@@ -117,6 +117,20 @@ TEST(VerificationDocument, GivesEveryNumberOfATableItsUncertainty) {
   EXPECT_GT(n_numbers, 700);
 }
 
+// "| table | column | unit | why |"
+TEST(VerificationDocument, SaysWhyANumberHasNoBar) {
+  const std::vector<std::string> lines = lines_of_document();
+  const std::regex row(R"(\| ([^|]*) \| ([^|]*) \| [^|]* \| ([^|]*) \|)");
+  std::smatch cell;
+  int n_columns = 0;
+  for (auto line = std::ranges::find(lines, "## Numbers without a bar"); line != lines.end(); ++line) {
+    if (!std::regex_match(*line, cell, row) || cell.str(1) == "table" || cell.str(1) == "---") continue;
+    EXPECT_NE(cell.str(3), "") << *line;
+    ++n_columns;
+  }
+  EXPECT_GT(n_columns, 20);
+}
+
 // Sources of all tests, one after the other.
 std::string sources_of_tests() {
   std::string all;

@@ -12,8 +12,8 @@ const std::vector<KeyGroup>& study_keys() {
          "the mesh of the truth `finer`; finer than the bodies' own and `coarser`",
          "{ degree = 3, cells = [2, 2, 4] }"},
         {"truth.coarser", "a table", "", "", "required",
-         "5/4 of its distance to `finer` is the discretisation bar, which holds where errors fall to 5/9 between the "
-         "two",
+         "of every body errors must fall from it to `finer`; 5/4 of the distance of the two is the discretisation bar, "
+         "more where they need not fall to 5/9",
          "{ degree = 2, cells = [2, 2, 4] }"},
         {"truth.exact", "a closed form", "", "", "none",
          "the truth `exact`: rod-step, sphere-radial-pulse, timoshenko-impact, zener-impact, rod-on-wall or "

@@ -9,6 +9,7 @@
 #include "cases/scene/closed_form.h"
 #include "cases/scene/number_text.h"
 #include "cases/scene/read_mesh.h"
+#include "cases/scene/refinement.h"
 #include "cases/scene/resolution.h"
 
 namespace mb {
@@ -90,6 +91,20 @@ bool check_is_finer(const Mesh& finer, const Resolution& other, const std::strin
   return false;
 }
 
+// Of what is off where `finer` is no better, their distance tells nothing.
+void check_sees_all(const Resolution& finer, const Resolution& coarser, const Position& where,
+                    const std::vector<BodyDraft>& bodies, Findings& findings) {
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    const double fall =
+        i == 0 ? fall_of_body(finer, coarser, 1) : fall_of_body(finer.others.at(i - 1), coarser.others.at(i - 1), 1);
+    if (fall > 1) continue;
+    findings.error(where,
+                   fmt::format("'coarser' tells nothing of what 'finer' is off in body '{}': errors need not fall "
+                               "between them in every direction in which they differ",
+                               bodies[i].name.value_or("")));
+  }
+}
+
 // By how much errors fall at best from one mesh to another of the same degree p: r^p, r the largest ratio of cells
 // along an axis. Nothing where degree, grading or a theory's half waves tell otherwise.
 std::optional<double> fall_of_errors(const Resolution& fine, const Resolution& coarse, const BodyDraft& body) {
@@ -136,7 +151,8 @@ void check_meshes(const Mesh& finer, const Mesh& coarser, std::optional<Section>
     if (*finer.resolution == *coarser.resolution)
       findings.error(where, "'coarser' equals 'finer': their distance is the error bar, and would be 0");
     else if (check_is_finer(finer, *coarser.resolution, "'coarser'", where, bodies, findings))
-      check_is_apart(*finer.resolution, *coarser.resolution, where, bodies, findings);
+      check_is_apart(*finer.resolution, *coarser.resolution, where, bodies, findings),
+          check_sees_all(*finer.resolution, *coarser.resolution, where, bodies, findings);
   }
   if (!own) return;
   const bool own_mesh = profile && profile->has("resolution") && !own_finer;

@@ -23,8 +23,8 @@ Finding sweep_table() {
       "largest of the finite answer: principal strain, and displacement of the surface over the body's extent. "
       "Force, impulse and duration of the first contact are the finite answer's. Full order is at a tenth of the "
       "truth's tolerance; `of steps`: what linear full order is off by at the truth's own, beside which an error means "
-      "something. Bars: that, of modes with what steps twice as long move; of force, impulse and duration what the "
-      "truth's own tolerance moves in linear full order, of ratios twice.",
+      "something. Bars: that, of modes with what steps twice as long move; of strain, deformation, force, impulse and "
+      "duration what the truth's own tolerance moves in linear full order, of ratios twice.",
       {{"speed", "m/s"},
        {"speed/scene's", "-"},
        {"status", ""},
@@ -78,7 +78,9 @@ void add_row(Finding& found, const AmplitudeRow& row) {
   const auto moved = [&](double FirstImpact::*what) { return std::abs(row.loose.*what / (l.*what) - 1); };
   const double peak = moved(&FirstImpact::peak), impulse = moved(&FirstImpact::impulse),
                duration = moved(&FirstImpact::duration);
-  bar_last_row(found, {{"error of linear", steps},
+  bar_last_row(found, {{"largest strain", row.strain_moved * row.strain},
+                       {"largest deformation", row.deformation_moved * row.deformation},
+                       {"error of linear", steps},
                        {"modal against linear", modal},
                        {"modal against finite", modal},
                        {"peak force", peak * f.peak},

@@ -43,6 +43,13 @@ void require_finite_possible(const Body& body) {
     throw std::invalid_argument("finite strain is of isotropic solids with Rayleigh damping");
 }
 
+// [-] Of the surface, by the body's extent.
+double largest_deformation(const Trajectory& answer, const MetricContext& of) {
+  const MatrixXd surface = motion(answer, of).surface;
+  return std::sqrt(surface.reshaped(3, surface.size() / 3).colwise().squaredNorm().maxCoeff()) /
+         extent(of.scene.bodies.front().shape);
+}
+
 class Sweep {
  public:
   explicit Sweep(const AnalysisContext& context)
@@ -82,9 +89,13 @@ class Sweep {
     if (finite) {
       row.finite = first_impact(*finite, *finite);
       row.strain = largest_principal(finite->bodies.front().strain);
-      const MatrixXd surface = motion(*finite, of).surface;
-      row.deformation = std::sqrt(surface.reshaped(3, surface.size() / 3).colwise().squaredNorm().maxCoeff()) /
-                        extent(scene.bodies.front().shape);
+      row.deformation = largest_deformation(*finite, of);
+    }
+    if (loose && linear) {
+      const auto moved = [](double a, double b) { return std::abs(a / b - 1); };
+      row.strain_moved =
+          moved(largest_principal(loose->bodies.front().strain), largest_principal(linear->bodies.front().strain));
+      row.deformation_moved = moved(largest_deformation(*loose, of), largest_deformation(*linear, of));
     }
     if (row.status.empty()) row.status = "ok";
     return row;

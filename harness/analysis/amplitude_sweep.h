@@ -19,15 +19,17 @@ namespace mb {
 struct AmplitudeRow {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-  double speed, factor;         // [m/s] along the normal at the first touch; [-] of the scene's
-  std::string status;           // "ok", else which answer failed and how: what it would say is NaN
-  double strain = nan;          // [-] largest principal strain in magnitude, of the finite answer
-  double deformation = nan;     // [-] largest of the surface over the body's extent, of the finite answer
-  double of_linear = nan;       // [-] the error above
-  double of_steps = nan;        // [-] likewise of linear full order at ten times the tolerance
-  double modal_linear = nan;    // [-] likewise of modes against linear full order
-  double modal_finite = nan;    // [-] and against finite
-  double of_modal_steps = nan;  // [-] likewise of modes by steps twice as long
+  double speed, factor;      // [m/s] along the normal at the first touch; [-] of the scene's
+  std::string status;        // "ok", else which answer failed and how: what it would say is NaN
+  double strain = nan;       // [-] largest principal strain in magnitude, of the finite answer
+  double deformation = nan;  // [-] largest of the surface over the body's extent, of the finite answer
+  double strain_moved = nan, deformation_moved = nan;  // [-] what ten times the tolerance makes of both in linear full
+                                                       // order, relative
+  double of_linear = nan;                              // [-] the error above
+  double of_steps = nan;                               // [-] likewise of linear full order at ten times the tolerance
+  double modal_linear = nan;                           // [-] likewise of modes against linear full order
+  double modal_finite = nan;                           // [-] and against finite
+  double of_modal_steps = nan;                         // [-] likewise of modes by steps twice as long
   FirstImpact linear = {nan, nan, nan, nan}, finite = {nan, nan, nan, nan};
   FirstImpact loose = {nan, nan, nan, nan};  // of linear full order at ten times the tolerance
 };

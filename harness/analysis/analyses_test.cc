@@ -10,6 +10,7 @@
 #include "harness/program_test.h"
 #include "harness/store/scratch_folder_test.h"
 #include "harness/store/store.h"
+#include "reports/unbarred.h"
 
 namespace mb {
 namespace {
@@ -25,9 +26,7 @@ frame_rate = 60
 samples_per_second = 3840
 [[body]]
 name = "board"
-[body.shape]
-kind = "box"
-size = [0.02, 0.05, 0.3]
+shape = { kind = "box", size = [0.02, 0.05, 0.3] }
 [body.material]
 density = 400
 [body.material.orthotropy]
@@ -283,6 +282,11 @@ TEST_F(AnalysesCases, ModesFallAsTheirEnergyForceAndImpulseSay) {
   }
   for (const Row& row : rows("mode-amplitude-exponents"))
     EXPECT_NEAR(row.number("exponent"), row.number("theory"), 0.05) << row.text("held fixed");
+}
+
+TEST_F(AnalysesCases, ColumnsHaveBarsOrAReason) {
+  for (const auto& row : unbarred_columns(findings()).rows)
+    EXPECT_NE(row[3].text, "") << row[0].text << ", column " << row[1].text;
 }
 
 TEST_F(AnalysesCases, ASuddenPushOvershootsItsStaticValue) {

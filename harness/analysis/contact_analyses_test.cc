@@ -9,6 +9,7 @@
 #include "harness/program_test.h"
 #include "harness/store/scratch_folder_test.h"
 #include "harness/store/store.h"
+#include "reports/unbarred.h"
 
 namespace mb {
 namespace {
@@ -186,6 +187,11 @@ TEST_F(ContactAnalysesCases, NumbersOfAnswersHaveBars) {
     }
   }
   EXPECT_EQ(seen.size(), of.size());
+}
+
+TEST_F(ContactAnalysesCases, ColumnsHaveBarsOrAReason) {
+  for (const auto& row : unbarred_columns(findings()).rows)
+    EXPECT_NE(row[3].text, "") << row[0].text << ", column " << row[1].text;
 }
 
 }  // namespace

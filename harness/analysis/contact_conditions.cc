@@ -163,7 +163,7 @@ std::vector<Finding> contact_conditions(const ContactVariants& variants, const A
                          contacts_in(variants.simulate_coarsely(stiffer, of))};
     add_rows(found, beside, of, answers, coarse, truths);
   }
-  add_bars(found, beside);
+  add_bars(found, beside, PerDistance(bars_per_distance(*context.scene).mean));
   return found;
 }
 

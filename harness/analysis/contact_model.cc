@@ -1,6 +1,9 @@
 // What modal contact is made of: the layer that each obstacle meets, and the polynomials and samples that carry it.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "harness/analysis/contact_tables.h"
 
@@ -11,22 +14,23 @@ namespace {
 constexpr double touch_tolerance = 2e-12;  // [-] of the body's extent: gaps to which touches are told, and rounding
 
 Finding meeting_table() {
-  return table("contact", "contact-meetings", "How the body comes to its obstacles",
-               "Of the rigid body, in closed form, before anything deforms; sizes are Hertz's, of a flat end a bar's. "
-               "Bar of a touch: 2e-12 of the body's extent at that speed. "
-               "Stiffness `auto` is 100 E*/a: the layer then adds 0.3 % to the approach of a sphere.",
-               {{"obstacle", ""},
-                {"law", ""},
-                {"stiffness", "Pa/m"},
-                {"stated", ""},
-                {"E*", "Pa"},
-                {"a", "m"},
-                {"k a/E*", "-"},
-                {"first touch", "s"},
-                {"speed", "m/s"},
-                {"approach", "m"},
-                {"duration", "s"},
-                {"force", "N"}});
+  return table(
+      "contact", "contact-meetings", "How the body comes to its obstacles",
+      "Of the rigid body, in closed form, before anything deforms; sizes are Hertz's, of a flat end a bar's. "
+      "Bar of a touch: 2e-12 of the body's extent at that speed; of the others what that makes of them, and rounding. "
+      "Stiffness `auto` is 100 E*/a: the layer then adds 0.3 % to the approach of a sphere.",
+      {{"obstacle", ""},
+       {"law", ""},
+       {"stiffness", "Pa/m"},
+       {"stated", ""},
+       {"E*", "Pa"},
+       {"a", "m"},
+       {"k a/E*", "-"},
+       {"first touch", "s"},
+       {"speed", "m/s"},
+       {"approach", "m"},
+       {"duration", "s"},
+       {"force", "N"}});
 }
 
 Finding geometry_table() {
@@ -49,6 +53,18 @@ Finding geometry_table() {
        {"samples", ""}});
 }
 
+// Hertz's approach, duration and force go with the speed to the power of 4/5, -1/5 and 6/5, a bar's with less.
+std::vector<std::pair<const char*, double>> bars_of_meeting(const Meeting& meeting, double extent, double gravity) {
+  const ContactSize& size = meeting.size;
+  const double touch = touch_tolerance * extent / size.speed;                                      // [s]
+  const double speed = gravity * touch / size.speed + 8 * std::numeric_limits<double>::epsilon();  // [-]
+  return {{"first touch", touch},
+          {"speed", speed * size.speed},
+          {"approach", 2 * speed * size.approach},
+          {"duration", 2 * speed * size.duration},
+          {"force", 2 * speed * size.force}};
+}
+
 }  // namespace
 
 Finding contact_meetings(const Scene& scene) {
@@ -62,7 +78,7 @@ Finding contact_meetings(const Scene& scene) {
                             pair.stiffness != 0 ? "given" : "auto", size.modulus, size.radius,
                             lumped ? not_applicable() : number(size.stiffness * size.radius / size.modulus), meeting.t,
                             size.speed, size.approach, size.duration, size.force});
-      bar_last_row(found, {{"first touch", touch_tolerance * extent(body.shape) / size.speed}});
+      bar_last_row(found, bars_of_meeting(meeting, extent(body.shape), scene.gravity.norm()));
     }
   return found;
 }

@@ -48,8 +48,8 @@ const std::vector<TablesOfAnalysis>& entries() {
       {"stability-map",
        {{"stability-map",
          {"spectral radius of one step", "property",
-          "a class has none; steps are a quarter of a decade apart; of errors as the bars say: the study's "
-          "load_tolerance"}},
+          "a class has none; steps are a quarter of a decade apart; as the bars say: of errors the study's "
+          "load_tolerance, of energies rounding"}},
         {"stability-summary",
          {"spectral radius of one step, energy by theory, the closed form", "property",
           "counts are exact; energies as the bars say, of orders the standard error of the line"}}}},
@@ -131,7 +131,7 @@ const std::vector<TablesOfAnalysis>& entries() {
          {"the truth of the case", "converged numbers", "of the truth as the bars say; of modes that of their steps"}},
         {"contact-time", time},
         {"contact-time-runs", time},
-        {"contact-meetings", {"none", "measurement", "of touches as the bars say; else rounding of closed forms"}},
+        {"contact-meetings", {"none", "measurement", "as the bars say; else rounding of closed forms"}},
         {"contact-geometry", {"the modes of the mesh", "second route", "rounding times the condition told beside"}},
         {"contact-samples", {"the finest samples; the truth of the case", "second route", "as the bars say"}}}},
       {"contact-stability",
@@ -155,7 +155,7 @@ const std::vector<TablesOfAnalysis>& entries() {
       {"slenderness",
        {{"slenderness",
          {"96 eigenmodes of the same mesh with static correction", "second route",
-          "in column bar, by half as many"}}}}};
+          "as the bars say: of errors by half as many, of static ones and frequencies rounding"}}}}};
   return all;
 }
 

@@ -218,7 +218,7 @@ std::vector<Finding> frequency_responses(const AnalysisContext& context) {
   const bool has_peaks = undamped.size() == 0;
   std::vector<Finding> found = on_mesh(context, *probe, own_meshes(scene), f, has_peaks);
   const auto [meshes, bar_per_distance] = another_mesh(scene);
-  add_bars(found, on_mesh(context, *probe, meshes, f, has_peaks), bar_per_distance);
+  add_bars(found, on_mesh(context, *probe, meshes, f, has_peaks), PerDistance(bar_per_distance));
   return found;
 }
 

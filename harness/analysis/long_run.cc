@@ -1,5 +1,6 @@
 // A million steps of free vibration without damping: what of the energy is left (energy_drift.h).
 #include <algorithm>
+#include <limits>
 
 #include "harness/analysis/analyses.h"
 #include "harness/analysis/energy_drift.h"
@@ -46,7 +47,8 @@ std::vector<Finding> long_run(const AnalysisContext& context) {
     const EnergyDrift of = energy_drift(integrator, system, dt, n_steps);
     found.rows.push_back({integrator.name, count(system.M.rows() - system.R.cols()), dt, count(n_steps),
                           to_string(of.status), of.swing, of.drift, of.law.exponent, of.law.standard_error});
-    bar_last_row(found, {{"drift", of.bar}});
+    const double rounding = drift_window * std::numeric_limits<double>::epsilon() * (1 + of.swing);
+    bar_last_row(found, {{"swing", rounding}, {"drift", of.bar}});
   }
   return {found};
 }

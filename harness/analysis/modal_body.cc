@@ -7,6 +7,7 @@
 
 #include "harness/study/estimate.h"
 #include "harness/study/memory.h"
+#include "harness/study/mesh_bar.h"
 #include "harness/study/truth.h"
 #include "modal/bases/eigenmodes.h"
 
@@ -86,8 +87,14 @@ VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other) {
 }
 
 AnotherMesh another_mesh(const Scene& scene) {
-  if (scene.truth.finer == own_meshes(scene)) return {scene.truth.coarser, safety_of_meshes};
+  if (scene.truth.finer == own_meshes(scene)) return {scene.truth.coarser, bars_per_distance(scene).mean};
   return {scene.truth.finer, 2};
+}
+
+double strain_bar_per_distance(const Scene& scene) {
+  if (scene.truth.finer == own_meshes(scene)) return bars_per_distance(scene).local;
+  const double fall = fall_of_errors(scene.truth.finer, own_meshes(scene), order_of_strain(scene));
+  return fall > 1 ? safety_of_meshes * fall / (fall - 1) : std::numeric_limits<double>::infinity();
 }
 
 std::vector<int> mode_counts(const AnalysisContext& context) {

@@ -24,7 +24,8 @@ constexpr Index largest_dense = 2500;  // [-] unknowns: ten seconds
 Finding multiplets_table() {
   return table(
       "multiplets", "multiplets", "Modes by two solvers, multiplet by multiplet",
-      "Elastic modes of the body's mesh whose eigenvalues differ by at most 1e-6 of themselves stand together. "
+      "Elastic modes of the body's mesh whose eigenvalues differ by at most 1e-6 of themselves, or the rounding of "
+      "the factor, eps lambda_max, stand together. "
       "Block Lanczos iterations beside a dense solver of the whole matrix. Gap: to the next eigenvalue "
       "above or below, relative. Subspace distance: sine of the largest angle between what the two solvers "
       "span, in the M norm; of the order of the residual over the gap. Bars: of a frequency twice the distance to that "

@@ -240,6 +240,7 @@ std::vector<Finding> stability_map(const AnalysisContext& context) {
                             dt / limit, cell.radius, cell.energy, cell.error, to_string(cell.found), limit,
                             verdict(cell)});
         bar_last_row(map, {{"error", bar_of_error(cell, *context.scene)}});
+        if (std::isfinite(cell.energy)) bar_last_row(map, {{"energy", bar_of_energy(mapped, integrator, cell)}});
       }
     };
     const std::vector<double> in_modes = steps_in_modes(all, integrator.name, steps, duration);

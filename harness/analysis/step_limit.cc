@@ -100,9 +100,11 @@ double difference_of_logarithms(const GrowthRun& run) {
   return (std::log(run.observed) - std::log(run.theory)) / scale_of(run);
 }
 
-double bar_of_difference(const GrowthRun& run) {
-  return (rounding_of_step * static_cast<double>(run.n_steps) + run.other_modes) / scale_of(run);
+double bar_of_growth(const GrowthRun& run) {
+  return rounding_of_step * static_cast<double>(run.n_steps) + run.other_modes;
 }
+
+double bar_of_difference(const GrowthRun& run) { return bar_of_growth(run) / scale_of(run); }
 
 std::string growth_verdict(const GrowthRun& run) {
   if (std::abs(std::log(run.theory)) < 0.01 * least_logarithm && run.phase < 1) return "too short to tell";

@@ -46,9 +46,11 @@ struct GrowthRun {
   double other_modes = 0;                                  // [-] what they may add to the logarithm of growth
 };
 // [-] Of the logarithm observed from that by theory, over that by theory or 1e-6, whichever is larger: a run that
-// neither grows nor decays has no logarithm to divide by. And its bar: rounding of n steps, and other modes.
+// neither grows nor decays has no logarithm to divide by. And its bar: rounding of n steps, and other modes, which
+// bar_of_growth is of the logarithm itself.
 double difference_of_logarithms(const GrowthRun& run);
 double bar_of_difference(const GrowthRun& run);
+double bar_of_growth(const GrowthRun& run);
 // "confirmed" where that difference is at most 1 %: of 1e-6 it is 1e-8. "too short to tell" where theory says that the
 // logarithm stays within that 1e-8 and the mode turned by less than a radian meanwhile. Both whatever the bar.
 std::string growth_verdict(const GrowthRun& run);

@@ -136,14 +136,16 @@ double limit_of_mode(const Scheme& scheme, double omega, double zeta) {
 // most where that falls with 1/omega.
 struct RelativeBars {
   double frequency = infinity, limit = infinity;
+  double zeta = infinity;  // [-] of the damping ratio, as it is
 };
 RelativeBars relative_bars(const Scheme& scheme, const LimitSubject& s, Index i) {
-  if (std::isnan(s.r)) return {nan, 0};
+  if (std::isnan(s.r)) return {nan, 0, nan};
   if (i >= s.omega_beside.size()) return {};
   const double limit = limit_of_mode(scheme, s.omega(i), s.zeta(i));
   const double beside = limit_of_mode(scheme, s.omega_beside(i), s.zeta_beside(i));
   return {s.bar_per_distance * std::abs(s.omega_beside(i) / s.omega(i) - 1) + s.rounding(i),
-          s.bar_per_distance * std::abs(beside / limit - 1) + 2 * s.rounding(i)};
+          s.bar_per_distance * std::abs(beside / limit - 1) + 2 * s.rounding(i),
+          s.bar_per_distance * std::abs(s.zeta_beside(i) - s.zeta(i)) + s.rounding(i) * s.zeta(i)};
 }
 
 void bar_limits(Finding& limits, const Scheme& scheme, const LimitSubject& s, const SubjectLimit& limit) {
@@ -154,6 +156,7 @@ void bar_limits(Finding& limits, const Scheme& scheme, const LimitSubject& s, co
     return std::get<double>(limits.rows.back().at(static_cast<size_t>(column)));
   };
   std::vector<std::pair<const char*, double>> bars{{"omega max", top.frequency * s.omega(last)},
+                                                   {"zeta", top.zeta},
                                                    {"omega deciding", deciding.frequency * s.omega(limit.deciding)}};
   const double of_search = bar_of_limit(s.coupled ? 0 : s.zeta(limit.deciding));
   const auto add = [&](const char* name, double bar) {
@@ -179,7 +182,8 @@ void add_runs(Finding& runs, const LimitSubject& s, const Scheme& scheme, const 
                   : growth_run(s.system, *limit.mode, scheme, integrator, dt, s.most_steps);
     runs.rows.push_back({s.name, s.r, scheme.name, integrator.name, factor, dt, static_cast<double>(run.n_steps),
                          run.theory, run.observed, difference_of_logarithms(run), growth_verdict(run)});
-    bar_last_row(runs, {{"difference of logarithms", bar_of_difference(run)}});
+    bar_last_row(runs, {{"growth observed", bar_of_growth(run) * run.observed},
+                        {"difference of logarithms", bar_of_difference(run)}});
   }
 }
 

@@ -25,14 +25,15 @@ TruthSet neighbour_of(const TruthSet& truth) {
 struct OnAnotherMesh {
   std::shared_ptr<const Scene> scene;
   TruthSet truth;
-  double bar_per_distance;
+  PerDistance per_distance;
 };
 OnAnotherMesh on_another_mesh(const AnalysisContext& context) {
   const Scene& scene = *context.scene;
   const auto [mesh, bar_per_distance] = another_mesh(scene);
   TruthSet truth = context.truth;
   truth.same_mesh = truth.loose = mesh == scene.truth.finer ? truth.finer : truth.coarser;
-  return {std::make_shared<const Scene>(on_meshes(scene, mesh)), std::move(truth), bar_per_distance};
+  return {std::make_shared<const Scene>(on_meshes(scene, mesh)), std::move(truth),
+          PerDistance(bar_per_distance, strain_bar_per_distance(scene))};
 }
 
 double number(const FindingCell& cell) { return cell.index() == 1 ? std::get<double>(cell) : nan; }
@@ -54,6 +55,11 @@ double distance(const FindingColumn& column, const FindingCell& a, const Finding
   const double difference = number(a) - number(b);
   if (column.unit.empty() || !std::isfinite(difference)) return nan;
   return std::abs(column.unit == "deg" ? std::remainder(difference, 360) : difference);
+}
+
+bool is_of_least_order(const FindingColumn& column) {
+  return column.name == "K norm" || column.name == "largest rotation" ||
+         column.name.find("strain") != std::string::npos;
 }
 
 using RowPairs = std::vector<std::vector<std::size_t>>;  // of every row those of the other table
@@ -128,7 +134,7 @@ std::optional<ElasticPairs> pairs_of(const std::vector<Finding>& findings, const
 
 }  // namespace
 
-void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, double per_distance,
+void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, PerDistance per_distance,
               const ElasticPairs* elastic) {
   for (Finding& finding : findings) {
     const auto other = std::ranges::find(neighbours, finding.name, &Finding::name);
@@ -140,7 +146,8 @@ void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighb
       for (const std::size_t k : beside[i])
         for (std::size_t j = 0; j < finding.columns.size(); ++j)
           finding.bars[i][j] = std::fmax(
-              finding.bars[i][j], per_distance * distance(finding.columns[j], finding.rows[i][j], other->rows[k][j]));
+              finding.bars[i][j], (is_of_least_order(finding.columns[j]) ? per_distance.local : per_distance.mean) *
+                                      distance(finding.columns[j], finding.rows[i][j], other->rows[k][j]));
   }
 }
 
@@ -157,13 +164,14 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
   std::vector<Finding> findings = analysis.run(context);
   if (analysis.of_truth && context.scene->contacts.empty()) {
     const TruthSet neighbour = neighbour_of(context.truth);
-    add_bars(findings, analysis.run({context.scene, context.catalogue, neighbour, context.model}));
+    add_bars(findings, analysis.run({context.scene, context.catalogue, neighbour, context.model}),
+             bars_per_distance(*context.scene));
   }
   if (analysis.of_mesh) {
     const OnAnotherMesh other = on_another_mesh(context);
     const auto neighbours = analysis.run({other.scene, context.catalogue, other.truth, context.model});
     const auto elastic = pairs_of(findings, context);
-    add_bars(findings, neighbours, other.bar_per_distance, elastic ? &*elastic : nullptr);
+    add_bars(findings, neighbours, other.per_distance, elastic ? &*elastic : nullptr);
   }
   for (Finding& finding : findings) {
     bar_fits(finding);

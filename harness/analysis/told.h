@@ -1,10 +1,12 @@
 // What an analysis finds, with what it is held to and an error bar beside every number that follows from the truth of
 // the case or from the body's mesh: 5/4 of the distance of the same tables told of the truth's neighbour, `coarser` in
 // the place of `finer` and rtol in that of rtol/100 (harness/study/truth.h), or twice that to `finer` in the place of
-// the body's mesh (another_mesh), the larger of both.
+// the body's mesh (another_mesh), the larger of both; more where strain is seen, or the meshes are near each other
+// (harness/study/mesh_bar.h).
 #pragma once
 
 #include "harness/analysis/analysis.h"
+#include "harness/study/mesh_bar.h"
 #include "modal/bases/mode_pairs.h"
 
 namespace mb {
@@ -18,13 +20,14 @@ struct ElasticPairs {
 // Throws as the analysis does. Scenes with contact are not told twice: their budget has its own neighbours.
 std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& context);
 
-// bars = per_distance |cell - cell of the other| where tables and the texts that a row begins with are the same, and,
-// where one has more rows, the counts with them; else NaN. Bars that a table has of its own stay where they are larger.
-// Of a table with a column "mode", counted from the first elastic one, or "undamped mode", from the first, rows are
-// those of modes that move alike, where `elastic` says which: the largest bar of several, and of several rows of a mode
-// the one in the same place; rows in the same place where the other table has none of these modes.
+// bars = per_distance |cell - cell of the other|, in columns of strain the local one, where tables and the texts that
+// a row begins with are the same, and, where one has more rows, the counts with them; else NaN. Bars that a table has
+// of its own stay where they are larger. Of a table with a column "mode", counted from the first elastic one, or
+// "undamped mode", from the first, rows are those of modes that move alike, where `elastic` says which: the largest bar
+// of several, and of several rows of a mode the one in the same place; rows in the same place where the other table has
+// none of these modes.
 void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours,
-              double per_distance = safety_of_meshes, const ElasticPairs* elastic = nullptr);
+              PerDistance per_distance = PerDistance(safety_of_meshes), const ElasticPairs* elastic = nullptr);
 
 // A column "standard error" becomes the bar of the fit in the column before it, unless that has a larger one.
 void bar_fits(Finding& finding);

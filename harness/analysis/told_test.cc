@@ -23,7 +23,7 @@ Finding one(std::vector<std::vector<FindingCell>> rows) {
 
 TEST(AddBars, AreDistancesOfNumbersThatHaveAUnit) {
   std::vector<Finding> found{one({{"x", 4.0, 0.5}, {"y", 8.0, 0.25}})};
-  add_bars(found, {one({{"x", 4.0, 0.625}, {"y", 8.0, 0.25}})}, 1);
+  add_bars(found, {one({{"x", 4.0, 0.625}, {"y", 8.0, 0.25}})}, PerDistance(1));
   ASSERT_EQ(found[0].bars.size(), 2u);
   EXPECT_EQ(found[0].bars[0][2], 0.125);
   EXPECT_EQ(found[0].bars[1][2], 0);
@@ -39,13 +39,13 @@ TEST(AddBars, OfModesAreOfThoseThatMoveAlike) {
   other.rows = {{1.0, 9.0}, {2.0, 19.0}, {3.0, 19.5}, {4.0, 41.0}};
   const ElasticPairs elastic{6, {{0}, {2}, {1}, {}}};
   std::vector<Finding> found{own};
-  add_bars(found, {other}, 2, &elastic);
+  add_bars(found, {other}, PerDistance(2), &elastic);
   EXPECT_EQ(found[0].bars[0][1], 2);
   EXPECT_EQ(found[0].bars[1][1], 1);
   EXPECT_EQ(found[0].bars[2][1], 6);
   EXPECT_EQ(found[0].bars[3][1], 2) << "as by place";
   std::vector<Finding> by_place{own};
-  add_bars(by_place, {other}, 2);
+  add_bars(by_place, {other}, PerDistance(2));
   EXPECT_EQ(by_place[0].bars[2][1], 5);
 }
 
@@ -57,7 +57,7 @@ TEST(AddBars, OfModesAreOfOneFrameRate) {
   other.rows = {{24.0, 4.0, 15.0}, {60.0, 5.0, 21.0}};
   const ElasticPairs elastic{0, {{0}, {1}, {2}, {3}, {4}}};
   std::vector<Finding> found{own};
-  add_bars(found, {other}, 1, &elastic);
+  add_bars(found, {other}, PerDistance(1), &elastic);
   EXPECT_EQ(found[0].bars[0][2], 5) << "none of mode 5 at 24 Hz: by place";
   EXPECT_EQ(found[0].bars[1][2], 1);
   EXPECT_EQ(found[0].bars[1][0], 0);
@@ -71,7 +71,7 @@ TEST(AddBars, OfSeveralRowsAndPairsAreTheLargestInTheirPlace) {
   other.rows = {{1.0, 8.0, 1.5}, {2.0, 7.0, 49.0}, {3.0, 7.0, 60.0}, {4.0, 8.0, 103.0}};
   const ElasticPairs elastic{6, {{1}, {0, 1}}};
   std::vector<Finding> found{own};
-  add_bars(found, {other}, 1, &elastic);
+  add_bars(found, {other}, PerDistance(1), &elastic);
   EXPECT_EQ(found[0].bars[0][2], 0.5);
   EXPECT_EQ(found[0].bars[1][2], 3);
   EXPECT_EQ(found[0].bars[2][2], 48.5);
@@ -85,7 +85,7 @@ TEST(AddBars, ArePhasesApartTheShorterWayRound) {
     finding.rows = {{"x", a}};
     other.rows = {{"x", b}};
     std::vector<Finding> found{finding};
-    add_bars(found, {other}, 2);
+    add_bars(found, {other}, PerDistance(2));
     EXPECT_NEAR(found[0].bars.at(0).at(1), 2 * apart, 1e-12) << a << " " << b;
   }
 }
@@ -98,7 +98,7 @@ TEST(AddBars, DoNotDependOnVerdicts) {
     return finding;
   };
   std::vector<Finding> found{with_verdict(0.5, "holds")};
-  add_bars(found, {with_verdict(0.75, "fails")}, 1);
+  add_bars(found, {with_verdict(0.75, "fails")}, PerDistance(1));
   EXPECT_EQ(found[0].bars.at(0).at(1), 0.25);
   EXPECT_TRUE(std::isnan(found[0].bars[0][2]));
 }
@@ -106,19 +106,19 @@ TEST(AddBars, DoNotDependOnVerdicts) {
 TEST(AddBars, AreNoneWhereRowsTellOfSomethingElse) {
   const std::vector<std::vector<FindingCell>> rows{{"x", 4.0, 0.5}};
   std::vector<Finding> found{one(rows)};
-  add_bars(found, {one({{"z", 4.0, 0.6}})}, 1);
+  add_bars(found, {one({{"z", 4.0, 0.6}})}, PerDistance(1));
   EXPECT_TRUE(std::isnan(found[0].bars[0][2])) << "another contender";
-  add_bars(found, {one({{"x", 4.0, nan}})}, 1);
+  add_bars(found, {one({{"x", 4.0, nan}})}, PerDistance(1));
   EXPECT_TRUE(std::isnan(found[0].bars[0][2])) << "no number";
   std::vector<Finding> alone{one(rows)};
-  add_bars(alone, {}, 1);
+  add_bars(alone, {}, PerDistance(1));
   EXPECT_TRUE(alone[0].bars.empty());
 }
 
 // A mesh may know fewer modes than another.
 TEST(AddBars, AreOfTheRowsThatBothHaveByTheirCounts) {
   std::vector<Finding> found{one({{"x", 4.0, 0.5}, {"x", 8.0, 0.5}, {"x", 9.0, 0.5}})};
-  add_bars(found, {one({{"x", 4.0, 0.625}, {"x", 9.0, 0.75}})}, 1);
+  add_bars(found, {one({{"x", 4.0, 0.625}, {"x", 9.0, 0.75}})}, PerDistance(1));
   EXPECT_EQ(found[0].bars.at(0)[2], 0.125);
   EXPECT_TRUE(std::isnan(found[0].bars.at(1)[2])) << "another count";
   EXPECT_TRUE(std::isnan(found[0].bars.at(2)[2])) << "no row";
@@ -127,7 +127,7 @@ TEST(AddBars, AreOfTheRowsThatBothHaveByTheirCounts) {
 TEST(AddBars, LargerOnesOfTheTableItselfStay) {
   std::vector<Finding> found{one({{"x", 4.0, 0.5}})};
   found[0].bars = {{nan, nan, 0.2}};
-  add_bars(found, {one({{"x", 4.0, 0.6}})}, 1);
+  add_bars(found, {one({{"x", 4.0, 0.6}})}, PerDistance(1));
   EXPECT_EQ(found[0].bars[0][2], 0.2);
 }
 

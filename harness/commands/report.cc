@@ -1,6 +1,7 @@
 #include <fmt/ostream.h>
 #include <fmt/ranges.h>
 
+#include <optional>
 #include <set>
 
 #include "cases/scene/diagnostics.h"
@@ -9,6 +10,7 @@
 #include "harness/commands/open_page.h"
 #include "harness/metrics/definitions.h"
 #include "harness/provenance.h"
+#include "harness/store/file.h"
 #include "harness/study/current_records.h"
 #include "reports/content.h"
 
@@ -97,6 +99,16 @@ std::string nothing_to_report(const Known& known, const ReportOptions& options) 
          "makes it anew";
 }
 
+// Of two reports at once into one folder, as of two stores, either is there as a whole in the end.
+std::vector<std::filesystem::path> write_alone(const ReportInput& input, const std::filesystem::path& directory) {
+  std::optional<FolderLock> lock;
+  try {
+    lock.emplace(directory);
+  } catch (const StoreError&) {  // what keeps it from being written is told where it is
+  }
+  return write_report(input, directory);
+}
+
 }  // namespace
 
 int report_command(const ReportOptions& options, const Catalogue& catalogue, const Console& console) {
@@ -111,7 +123,7 @@ int report_command(const ReportOptions& options, const Catalogue& catalogue, con
   input.findings = std::move(stored.findings);
   for (const RefusedLine& line : stored.refused) input.damaged.push_back(to_string(line));
   input.environment = input.records.empty() ? provenance("none") : input.records.front().provenance;
-  const auto files = write_report(input, options.directory);
+  const auto files = write_alone(input, options.directory);
   for (const auto& file : files) fmt::print(console.out, "{}\n", file.string());
   if (!page_available() && !options.quiet)
     fmt::print(console.err,

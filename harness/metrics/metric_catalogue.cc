@@ -90,11 +90,14 @@ double deviation_size(const Trajectory& truth, const MetricContext& context) {
   return largest_displacement(truth, context) / extent(body(context).shape);
 }
 
-// [rad] that displacement turns a body by, at its radius of gyration.
-double rotation_size(const Trajectory& truth, const MetricContext& context) {
+double radius_of_gyration(const MetricContext& context) {  // [m]
   const auto& [X, w] = context.points.volume;
   const Matrix3Xd arms = X.colwise() - centroid(X, w);
-  return largest_displacement(truth, context) / std::sqrt(arms.colwise().squaredNorm().dot(w) / w.sum());
+  return std::sqrt(arms.colwise().squaredNorm().dot(w) / w.sum());
+}
+// [rad] that displacement turns a body by, there.
+double rotation_size(const Trajectory& truth, const MetricContext& context) {
+  return largest_displacement(truth, context) / radius_of_gyration(context);
 }
 
 // The place of the probe among those of its body.
@@ -129,6 +132,10 @@ double largest_deformation(const Trajectory& truth, const MetricContext& context
   for (const MatrixXd* u : {&deformed.volume, &deformed.surface})
     if (u->size() > 0) largest = std::max(largest, u->reshaped(3, u->size() / 3).colwise().norm().maxCoeff());
   return largest;
+}
+// [rad] A frame is fitted to what deforms with it.
+double rotation_share(const Trajectory& truth, const MetricContext& context) {
+  return largest_deformation(truth, context) / radius_of_gyration(context);
 }
 double deviation_share(const Trajectory& truth, const MetricContext& context) {
   return largest_deformation(truth, context) / extent(body(context).shape);
@@ -234,8 +241,9 @@ std::vector<Metric> catalogue() {
            displacement, &deviation_share),
       {"pose-translation", "m", "Largest distance of the centroids over time; free bodies only.", no, free_only, no,
        &pose_translation, &largest_displacement},
-      {"pose-rotation", "rad", "Largest angle between the best rigid frames over time; free bodies only.", no,
-       free_only, no, &pose_rotation, &rotation_size},
+      part({"pose-rotation", "rad", "Largest angle between the best rigid frames over time; free bodies only.", no,
+            free_only, no, &pose_rotation, &rotation_size},
+           displacement, &rotation_share),
       relative(part({"probe-error", "-", "Relative L2 error over time of a probe's displacement along its direction.",
                      probe, no, no, &probe_error, &probe_size},
                     displacement, &probe_share)),

@@ -15,6 +15,7 @@
 #include "harness/study/estimate.h"
 #include "harness/study/identity.h"
 #include "harness/study/memory.h"
+#include "harness/study/mesh_bar.h"
 #include "harness/study/storable.h"
 #include "mechanics/algebra/threads.h"
 #include "modal/bases/eigenmodes.h"
@@ -227,8 +228,10 @@ double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, co
   if (kind == TruthKind::exact) return truth.exact_bar * truth_size(metric, truth.of(kind), context);
   const double time = distance(metric, truth.loose, truth.same_mesh, context);
   if (kind == TruthKind::same_mesh) return time;
-  const double mesh = safety_of_meshes * distance(metric, truth.coarser, truth.finer, context) +
-                      of_missing_mass(metric, truth, context);
+  const PerDistance F = bars_per_distance(context.scene);
+  const double mesh =
+      (is_of_least_order(metric) ? F.local : F.mean) * distance(metric, truth.coarser, truth.finer, context) +
+      of_missing_mass(metric, truth, context);
   return std::max(time + mesh, beyond_exact(metric, truth, context));
 }
 

@@ -1,15 +1,14 @@
 // The truth of a case and how far it may be off:
 //
 //   error bar of a metric =
-//     against `finer`       5/4 distance(finer, coarser) + distance(rtol, rtol/100 on the body's mesh) + s d
+//     against `finer`       F distance(finer, coarser) + distance(rtol, rtol/100 on the body's mesh) + s d
 //                           or the distance to `exact` less its own bar, where that is more; s: Metric::per_mass x size
 //     against `same_mesh`   distance(rtol, rtol/100 on the body's mesh)
 //     against `exact`       relative error of the closed form's series x size of the truth in this metric
 //
-// Distances are taken in the metric's own measure. That of two meshes is the finer one's error where errors fall to
-// half from the coarser one on; a quarter more, Roache's factor for bands of known order (1998, ch. 5), is enough where
-// they fall to 5/9. d = max(0, d_f - |d_c - d_f|), d_h = |1 - V_h/V|, V_h: volume of the finer and of the coarser mesh,
-// V of the shapes: what both lack of it, and of mass, no distance between them shows, and graded ones lack about as
+// Distances are taken in the metric's own measure; F: what that of two meshes tells (mesh_bar.h).
+// d = max(0, d_f - |d_c - d_f|), d_h = |1 - V_h/V|, V_h: volume of the finer and of the coarser mesh, V of the shapes:
+// what both lack of it, and of mass, no distance between them shows, and graded ones lack about as
 // much. Size (Metric::size): 1 where a metric is relative to the whole truth, the largest displacement [m] for
 // positions, that over the radius of gyration [rad] for rotations, the same to a probe's own signal for probes. Truths
 // but the exact one are full order, stepped by SUNDIALS, and cached in the store.
@@ -35,8 +34,6 @@ struct TruthSet {
   double missing_volume = 0;        // [-] that both meshes lack
   const Trajectory& of(TruthKind kind) const;  // throws std::logic_error where there is none of that kind
 };
-
-constexpr double safety_of_meshes = 1.25;  // [-] see above
 
 using Progress = std::function<void(const std::string& line)>;
 

@@ -1,0 +1,64 @@
+#include "harness/study/mesh_bar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <tuple>
+
+namespace mb {
+
+namespace {
+
+constexpr double regular = 1;  // [-] order where loads and contacts end
+
+double order_of_strain(const Body& body) {
+  const auto clamps = [](const Support& s) {
+    return s.kind == Support::Kind::fixed || s.kind == Support::Kind::driven;
+  };
+  if (body.theory != Theory::solid) return regular;
+  if (std::ranges::none_of(body.supports, clamps) && body.material.inclusions.empty()) return regular;
+  return order_at_a_clamp(body.material.orthotropy ? 0.5 : body.material.poissons_ratio);
+}
+
+}  // namespace
+
+double order_at_a_clamp(double poissons_ratio) {
+  const double nu = poissons_ratio;
+  if (nu <= 0) return regular;
+  const auto excess = [nu](double p) {  // ascends: from below 0 at 1/2 to (4 nu (1 - nu))/(3 - 4 nu) at 1
+    const double s = std::sin(p * pi / 2);
+    return s * s - (4 * (1 - nu) * (1 - nu) - p * p) / (3 - 4 * nu);
+  };
+  double low = 0.5, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (excess(middle) < 0 ? low : high) = middle;
+  }
+  return high;
+}
+
+double order_of_strain(const Scene& scene) {
+  double least = regular;
+  for (const Body& body : scene.bodies) least = std::min(least, order_of_strain(body));
+  return least;
+}
+
+bool is_of_least_order(const Metric& metric) {
+  constexpr std::string_view strain = "strain-error";
+  return metric.name == strain || (metric.whole && metric.whole == strain) || metric.name == "surface-deviation" ||
+         metric.name == "truth-rotation";
+}
+
+double bar_per_distance(const Resolution& finer, const Resolution& coarser, double order) {
+  const double fall = fall_of_errors(finer, coarser, order);
+  return fall > 1 ? safety_of_meshes * std::max(1.0, 1 / (fall - 1)) : std::numeric_limits<double>::infinity();
+}
+
+PerDistance bars_per_distance(const Scene& scene) {
+  const auto& [finer, coarser] = std::tie(scene.truth.finer, scene.truth.coarser);
+  const double p = order_of_strain(scene);
+  return {bar_per_distance(finer, coarser, 2 * p), bar_per_distance(finer, coarser, p)};
+}
+
+}  // namespace mb

@@ -1,0 +1,127 @@
+#include "reports/unbarred.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "reports/words.h"
+
+namespace mb {
+
+namespace {
+
+constexpr const char* stated = "stated by the case or the study, or a multiple of that";
+constexpr const char* itself = "is an uncertainty itself";
+constexpr const char* clocked = "measured on one machine; what repetitions spread is told in their table";
+constexpr const char* theory = "theory on this mesh's matrices: rounding, and where it is searched for 1e-9 of it";
+constexpr const char* between = "on a line in logarithms between two rows of the table before, which have bars";
+constexpr const char* fitted = "of a fit on the same samples; rounding times the condition beside it";
+
+struct Reason {
+  const char *table, *column, *why;  // table: "*": any
+};
+
+constexpr Reason reasons[] = {
+    {"*", "dt", stated},
+    {"*", "standard error", itself},
+    {"*", "claimed", stated},
+    {"amplitude", "speed", "of the rigid body at its first touch, in closed form"},
+    {"amplitude", "speed/scene's", stated},
+    {"amplitude", "of steps", itself},
+    {"amplitude-exponents", "expected", "theory"},
+    {"amplitude-limits", "error of linear", stated},
+    {"amplitude-limits", "speed", between},
+    {"amplitude-limits", "speed/scene's", between},
+    {"amplitude-limits", "largest strain", between},
+    {"amplitude-limits", "largest deformation", between},
+    {"aspect", "largest residual", itself},
+    {"aspect", "length/thickness", stated},
+    {"contact-conditions", "factor", stated},
+    {"contact-geometry", "condition", fitted},
+    {"contact-geometry", "residual", fitted},
+    {"contact-geometry", "worst mode", fitted},
+    {"contact-geometry", "largest", fitted},
+    {"contact-meetings", "stiffness", stated},
+    {"contact-meetings", "E*", stated},
+    {"contact-meetings", "a", "closed form of what the case states, and its speed"},
+    {"contact-meetings", "k a/E*", "closed form of what the case states, and its speed"},
+    {"contact-samples", "size / a", stated},
+    {"contact-stability", "dt / limit", theory},
+    {"contact-stability", "limit", theory},
+    {"contact-stability", "opening limit", theory},
+    {"contact-stability", "spectral radius", theory},
+    {"contact-stability", "stiffness factor", stated},
+    {"contact-stability-summary", "unstable from", "the least of steps that are halves of each other"},
+    {"contact-stiffness", "factor", stated},
+    {"contact-stiffness", "k a/E*", stated},
+    {"contact-stiffness", "stiffness", stated},
+    {"contact-time", "share", clocked},
+    {"contact-time", "time", clocked},
+    {"contact-time", "time a call", clocked},
+    {"contact-time-runs", "real-time factor", clocked},
+    {"contact-time-runs", "spread", itself},
+    {"contact-time-runs", "time", clocked},
+    {"contact-time-runs", "with displacements", clocked},
+    {"corrected-stability", "dt / limit", theory},
+    {"corrected-stability", "limit", theory},
+    {"corrected-stability", "opening limit", theory},
+    {"corrected-stability", "spectral radius", theory},
+    {"corrected-stability", "stiffness factor", stated},
+    {"corrected-stability-summary", "unstable from", "the least of steps that are halves of each other"},
+    {"force-history", "time", stated},
+    {"frequencies", "GCI", itself},
+    {"frequencies", "reference", "published, or a closed form; its uncertainty is the bar of the errors against it"},
+    {"instructions", "real-time factor", clocked},
+    {"instructions", "share counted", "counts, which repeat"},
+    {"instructions", "time", clocked},
+    {"slenderness", "bar", itself},
+    {"slenderness", "length/width", stated},
+    {"stability-map", "dt / limit", theory},
+    {"stability-map", "limit", theory},
+    {"stability-map", "spectral radius", theory},
+    {"step-limit-runs", "dt / limit", stated},
+    {"step-limit-runs", "growth by theory", theory},
+};
+
+struct Numbers {
+  std::string unit;
+  bool any = false, barred = false;
+};
+
+}  // namespace
+
+std::string reason_without_bar(const std::string& table, const std::string& column) {
+  const auto* found = std::ranges::find_if(reasons, [&](const Reason& reason) {
+    return (reason.table == std::string("*") || reason.table == table) && reason.column == column;
+  });
+  return found == std::end(reasons) ? "" : found->why;
+}
+
+Sheet unbarred_columns(const std::vector<Finding>& findings) {
+  std::map<std::pair<std::string, std::string>, Numbers> columns;
+  for (const Finding& finding : findings)
+    for (std::size_t i = 0; i < finding.rows.size(); ++i)
+      for (std::size_t j = 0; j < finding.columns.size(); ++j) {
+        const double* number = std::get_if<double>(&finding.rows[i][j]);
+        if (finding.columns[j].unit.empty() || !number || !std::isfinite(*number)) continue;
+        Numbers& of = columns[{finding.name, finding.columns[j].name}];
+        of.unit = finding.columns[j].unit;
+        of.any = true;
+        of.barred = of.barred || (!finding.bars.empty() && std::isfinite(finding.bars[i][j]));
+      }
+  Sheet sheet{
+      .name = "unbarred",
+      .title = "Numbers without a bar",
+      .note = "Columns of analyses' tables that have no error bar beside their numbers, and why they need none.",
+      .columns = {{"table", ""}, {"column", ""}, {"unit", ""}, {"why", ""}},
+      .rows = {},
+      .n_keys = 2};
+  for (const auto& [of, numbers] : columns)
+    if (numbers.any && !numbers.barred)
+      sheet.rows.push_back({text_cell(of.first), text_cell(of.second), text_cell(numbers.unit),
+                            text_cell(reason_without_bar(of.first, of.second))});
+  return sheet;
+}
+
+}  // namespace mb
