@@ -86,15 +86,25 @@ VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other) {
   return omega;
 }
 
+namespace {
+
+// [-] Of the own mesh by its distance to `finer`.
+double bar_of_own(const Scene& scene, double order) {
+  const double fall = fall_of_errors(scene.truth.finer, own_meshes(scene), order);
+  if (!(fall > 1)) return std::numeric_limits<double>::infinity();
+  return std::max(2.0, safety_of_meshes * fall / (fall - 1));
+}
+
+}  // namespace
+
 AnotherMesh another_mesh(const Scene& scene) {
   if (scene.truth.finer == own_meshes(scene)) return {scene.truth.coarser, bars_per_distance(scene).mean};
-  return {scene.truth.finer, 2};
+  return {scene.truth.finer, bar_of_own(scene, 2 * order_of_strain(scene))};
 }
 
 double strain_bar_per_distance(const Scene& scene) {
   if (scene.truth.finer == own_meshes(scene)) return bars_per_distance(scene).local;
-  const double fall = fall_of_errors(scene.truth.finer, own_meshes(scene), order_of_strain(scene));
-  return fall > 1 ? safety_of_meshes * fall / (fall - 1) : std::numeric_limits<double>::infinity();
+  return bar_of_own(scene, order_of_strain(scene));
 }
 
 std::vector<int> mode_counts(const AnalysisContext& context) {

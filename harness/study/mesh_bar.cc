@@ -12,13 +12,21 @@ namespace {
 
 constexpr double regular = 1;  // [-] order where loads and contacts end
 
-double order_of_strain(const Body& body) {
-  const auto clamps = [](const Support& s) {
-    return s.kind == Support::Kind::fixed || s.kind == Support::Kind::driven;
-  };
+bool is_clamped(const Scene& scene, const Body& body) {
+  return std::ranges::any_of(
+             body.supports,
+             [](const Support& s) { return s.kind == Support::Kind::fixed || s.kind == Support::Kind::driven; }) ||
+         std::ranges::any_of(scene.contacts, [&](const ContactPair& pair) {
+           return pair.friction > 0 && (pair.body == body.name || pair.obstacle == body.name);
+         });
+}
+
+double order_of_strain(const Scene& scene, const Body& body) {
   if (body.theory != Theory::solid) return regular;
-  if (std::ranges::none_of(body.supports, clamps) && body.material.inclusions.empty()) return regular;
-  return order_at_a_clamp(body.material.orthotropy ? 0.5 : body.material.poissons_ratio);
+  double least = body.material.inclusions.empty() ? regular : order_at_a_soft_part;
+  if (is_clamped(scene, body))
+    least = std::min(least, order_at_a_clamp(body.material.orthotropy ? 0.5 : body.material.poissons_ratio));
+  return least;
 }
 
 }  // namespace
@@ -40,7 +48,7 @@ double order_at_a_clamp(double poissons_ratio) {
 
 double order_of_strain(const Scene& scene) {
   double least = regular;
-  for (const Body& body : scene.bodies) least = std::min(least, order_of_strain(body));
+  for (const Body& body : scene.bodies) least = std::min(least, order_of_strain(scene, body));
   return least;
 }
 

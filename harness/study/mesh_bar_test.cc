@@ -37,8 +37,14 @@ TEST(MeshBar, IsOfTheBodyWithTheLeastOrder) {
   };
   EXPECT_EQ(order({free, sliding, plate}), 1);
   EXPECT_EQ(order({free, held}), order_at_a_clamp(0.3));
-  EXPECT_EQ(order({held, soft}), order_at_a_clamp(0.45));
+  EXPECT_EQ(order({held, soft}), order_at_a_soft_part);
   EXPECT_EQ(order({grained}), order_at_a_clamp(0.5));
+  Scene sticking{};
+  sticking.bodies = {free}, sticking.bodies[0].name = "foot";
+  sticking.contacts = {{.body = "foot", .obstacle = "floor", .stiffness = 0}};
+  EXPECT_EQ(order_of_strain(sticking), 1);
+  sticking.contacts[0].friction = 0.3;
+  EXPECT_EQ(order_of_strain(sticking), order_at_a_clamp(0.45));
 }
 
 TEST(MeshBar, IsAQuarterMoreThanWhatTwoMeshesTell) {
