@@ -18,6 +18,8 @@ constexpr const char* clocked = "measured on one machine at one time; its table 
 constexpr const char* theory =
     "theory on this mesh's matrices: rounding, and where a limit is searched for 1e-9 of it, 3e-12 zeta where that is "
     "more, 1e-3 for kicks in contact";
+constexpr const char* counted = "counted, which repeats";
+constexpr const char* before = "a quotient of numbers of the tables before, or one of these";
 constexpr const char* between =
     "on a line in logarithms between two speeds that were tried, known no better than they lie apart";
 constexpr const char* fitted = "of this mesh's modes on the same samples; rounding times the condition beside it";
@@ -45,6 +47,21 @@ constexpr Reason reasons[] = {
     {"amplitude-limits", "largest deformation", between},
     {"aspect", "largest residual", itself},
     {"contact-conditions", "factor", stated},
+    {"collision-cost", "building", clocked},
+    {"collision-cost", "depth error", "of the body's polygons against its shape, in double precision"},
+    {"collision-cost", "memory", counted},
+    {"collision-cost", "spread", itself},
+    {"collision-cost", "time", clocked},
+    {"collision-cost", "time a point", clocked},
+    {"collision-cost-claim", "exponent analytic", before},
+    {"collision-cost-claim", "exponent rival", before},
+    {"collision-cost-crossover", "time ratio", clocked},
+    {"collision-cost-exponents", "theory", "theory"},
+    {"contact-forces", "depth", stated},
+    {"contact-forces", "error of exact", itself},
+    {"contact-forces-claim", "gain", before},
+    {"contact-forces-claim", "least gain", before},
+    {"contact-forces-orders", "depth", stated},
     {"contact-geometry", "condition", fitted},
     {"contact-geometry", "residual", fitted},
     {"contact-geometry", "worst mode", fitted},
@@ -76,11 +93,21 @@ constexpr Reason reasons[] = {
     {"corrected-stability", "spectral radius", theory},
     {"corrected-stability", "stiffness factor", stated},
     {"corrected-stability-summary", "unstable from", "the least of steps that are halves of each other"},
+    {"flight-cost", "contact time", "as that run had it, whose cost it counts"},
+    {"flight-cost", "flight time", chosen},
+    {"flight-cost", "real-time factor", clocked},
+    {"flight-cost", "spread", itself},
+    {"flight-cost", "time", clocked},
+    {"flight-cost", "time a step", clocked},
+    {"flight-cost-exponents", "expected", "theory"},
     {"force-history", "time", stated},
     {"frequencies", "GCI", itself},
     {"frequencies", "reference", "published, or a closed form; its uncertainty is the bar of the errors against it"},
+    {"instructions", "MIPS for real time", counted},
+    {"instructions", "a step", counted},
+    {"instructions", "instructions", counted},
     {"instructions", "real-time factor", clocked},
-    {"instructions", "share counted", "counts, which repeat"},
+    {"instructions", "share counted", counted},
     {"instructions", "time", clocked},
     {"slenderness", "bar", itself},
     {"slenderness", "length/width", stated},

@@ -153,7 +153,7 @@ void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighb
 
 void bar_fits(Finding& finding) {
   for (std::size_t j = 1; j < finding.columns.size(); ++j) {
-    if (finding.columns[j].name != "standard error") continue;
+    if (!finding.columns[j].name.starts_with("standard error")) continue;  // "of time", of several
     if (finding.bars.empty()) finding.bars.assign(finding.rows.size(), std::vector(finding.columns.size(), nan));
     for (std::size_t i = 0; i < finding.rows.size(); ++i)
       finding.bars[i][j - 1] = std::fmax(finding.bars[i][j - 1], number(finding.rows[i][j]));

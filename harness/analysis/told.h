@@ -29,7 +29,8 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
 void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, PerDistance per_distance,
               const ElasticPairs* elastic = nullptr);
 
-// A column "standard error" becomes the bar of the fit in the column before it, unless that has a larger one.
+// A column "standard error" or "standard error of ..." becomes the bar of the fit in the column before it, unless that
+// has a larger one.
 void bar_fits(Finding& finding);
 
 }  // namespace mb
