@@ -99,7 +99,7 @@ PerDistance more_than_moves(const std::string& scene) {
   const auto more = [&](double order) {
     return 1 / (1 - 1 / fall_of_errors(all.truth.finer, all.truth.coarser, order));
   };
-  return {more(2 * order_of_strain(all)), more(order_of_strain(all))};
+  return {more(2 * order_of_motion(all)), more(order_of_motion(all))};
 }
 
 class MarksVerification : public ::testing::TestWithParam<Finest> {};

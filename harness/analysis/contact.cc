@@ -51,7 +51,7 @@ Finding force_history(const std::vector<ContactBasis>& bases, const AnalysisCont
   const Vector3d along = contact.force.col(peak).normalized();
   const Touch first = first_contact(contact.touches, contact.touches)->whole;
   const double length = std::isfinite(first.end) ? first.end - first.start : scene.duration - first.start;
-  const VectorXd truth_bar = bar_along(context.truth, along, bars_per_distance(scene).mean);
+  const VectorXd truth_bar = bar_along(context.truth, along, context.truth.per_distance.mean);
   const auto add = [&](const std::string& name, FindingCell r, const Trajectory& answer, const VectorXd& bar) {
     if (answer.status != Status::ok) return;
     for (Index k = 0; k < answer.t.size(); ++k) {

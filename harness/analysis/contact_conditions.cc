@@ -164,7 +164,7 @@ std::vector<Finding> contact_conditions(const ContactVariants& variants, const A
                          contacts_in(variants.simulate_coarsely(stiffer, of))};
     add_rows(found, beside, of, answers, coarse, truths);
   }
-  add_bars(found, beside, PerDistance(bars_per_distance(*context.scene).mean));
+  add_bars(found, beside, PerDistance(context.truth.per_distance.mean));
   return found;
 }
 

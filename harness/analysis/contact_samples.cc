@@ -67,7 +67,7 @@ Finding contact_samples(const ContactVariants& variants, const AnalysisContext& 
   if (!std::ranges::any_of(context.scene->contacts, sampled)) return found;
   const Trajectory& truth = context.truth.finer;
   const FirstImpact real = first_impact(truth, truth);
-  const double F = bars_per_distance(*context.scene).mean;
+  const double F = context.truth.per_distance.mean;
   const double of_peak = bar_of(context.truth, F, &FirstImpact::peak),
                of_impulse = bar_of(context.truth, F, &FirstImpact::impulse);
   for (ContactContender of : variants.contenders()) {

@@ -98,13 +98,15 @@ double bar_of_own(const Scene& scene, double order) {
 }  // namespace
 
 AnotherMesh another_mesh(const Scene& scene) {
-  if (scene.truth.finer == own_meshes(scene)) return {scene.truth.coarser, bars_per_distance(scene).mean};
-  return {scene.truth.finer, bar_of_own(scene, 2 * order_of_strain(scene))};
+  if (scene.truth.finer == own_meshes(scene))
+    return {scene.truth.coarser, bar_per_distance(scene.truth.finer, scene.truth.coarser, 2 * order_of_modes(scene))};
+  return {scene.truth.finer, bar_of_own(scene, 2 * order_of_modes(scene))};
 }
 
-double strain_bar_per_distance(const Scene& scene) {
-  if (scene.truth.finer == own_meshes(scene)) return bars_per_distance(scene).local;
-  return bar_of_own(scene, order_of_strain(scene));
+PerDistance own_bars_per_distance(const Scene& scene, const TruthSet& truth) {
+  if (scene.truth.finer == own_meshes(scene)) return truth.per_distance;
+  const double p = order_of_motion(scene);
+  return {bar_of_own(scene, 2 * p), bar_of_own(scene, p)};
 }
 
 std::vector<int> mode_counts(const AnalysisContext& context) {

@@ -59,7 +59,7 @@ struct AnotherMesh {
   double bar_per_distance;  // [-] >= 2, or F of `coarser`; infinite where errors need not fall
 };
 AnotherMesh another_mesh(const Scene& scene);
-double strain_bar_per_distance(const Scene& scene);  // [-] likewise, of numbers in which strain is seen
+PerDistance own_bars_per_distance(const Scene& scene, const TruthSet& truth);  // likewise, of motions under its loads
 
 // Of a mesh that the case does not state, so that nobody has asked yet whether it fits: throws std::runtime_error with
 // both numbers where it takes more memory than there is.

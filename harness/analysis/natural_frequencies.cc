@@ -142,7 +142,7 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
   found.columns.push_back({"GCI", "-"});
   const MeshSequence row = sequence(meshes);
   // Where no support holds a body modes are smooth; at a clamp's edge (mesh_bar.h) frequencies have twice its order.
-  const double least_order = is_held(scene.bodies.front()) ? 2 * order_of_strain(scene) : infinity;
+  const double least_order = is_held(scene.bodies.front()) ? 2 * order_of_modes(scene) : infinity;
   found.note += index_note(meshes, row, least_order);
   for (Index i = 0; i < n; ++i) {
     const double f = reference.hertz[static_cast<size_t>(i)];

@@ -29,11 +29,11 @@ struct OnAnotherMesh {
 };
 OnAnotherMesh on_another_mesh(const AnalysisContext& context) {
   const Scene& scene = *context.scene;
-  const auto [mesh, bar_per_distance] = another_mesh(scene);
+  const Resolution mesh = another_mesh(scene).meshes;
   TruthSet truth = context.truth;
   truth.same_mesh = truth.loose = mesh == scene.truth.finer ? truth.finer : truth.coarser;
   return {std::make_shared<const Scene>(on_meshes(scene, mesh)), std::move(truth),
-          PerDistance(bar_per_distance, strain_bar_per_distance(scene))};
+          own_bars_per_distance(scene, context.truth)};
 }
 
 double number(const FindingCell& cell) { return cell.index() == 1 ? std::get<double>(cell) : nan; }
@@ -165,7 +165,7 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
   if (analysis.of_truth && context.scene->contacts.empty()) {
     const TruthSet neighbour = neighbour_of(context.truth);
     add_bars(findings, analysis.run({context.scene, context.catalogue, neighbour, context.model}),
-             bars_per_distance(*context.scene));
+             context.truth.per_distance);
   }
   if (analysis.of_mesh) {
     const OnAnotherMesh other = on_another_mesh(context);
