@@ -20,6 +20,7 @@ constexpr const char* theory =
     "more, 1e-3 for kicks in contact";
 constexpr const char* counted = "counted, which repeats";
 constexpr const char* before = "a quotient of numbers of the tables before, or one of these";
+constexpr const char* missed = "of steps that miss a touch which a motion a third as large has, or the other way round";
 constexpr const char* between =
     "on a line in logarithms between two speeds that were tried, known no better than they lie apart";
 constexpr const char* fitted = "of this mesh's modes on the same samples; rounding times the condition beside it";
@@ -72,6 +73,7 @@ constexpr Reason reasons[] = {
     {"contact-meetings", "k a/E*", "closed form of what the case states, and its speed"},
     {"contact-samples", "size / a", stated},
     {"contact-stability", "dt / limit", theory},
+    {"contact-stability", "energy", missed},
     {"contact-stability", "limit", theory},
     {"contact-stability", "opening limit", theory},
     {"contact-stability", "spectral radius", theory},
@@ -88,11 +90,13 @@ constexpr Reason reasons[] = {
     {"contact-time-runs", "time", clocked},
     {"contact-time-runs", "with displacements", clocked},
     {"corrected-stability", "dt / limit", theory},
+    {"corrected-stability", "energy", missed},
     {"corrected-stability", "limit", theory},
     {"corrected-stability", "opening limit", theory},
     {"corrected-stability", "spectral radius", theory},
     {"corrected-stability", "stiffness factor", stated},
     {"corrected-stability-summary", "unstable from", "the least of steps that are halves of each other"},
+    {"damping-of-steps", "zeta of run", "of a mode that the finer mesh's run has no ratio of"},
     {"flight-cost", "contact time", "as that run had it, whose cost it counts"},
     {"flight-cost", "flight time", chosen},
     {"flight-cost", "real-time factor", clocked},
@@ -116,6 +120,11 @@ constexpr Reason reasons[] = {
     {"stability-map", "spectral radius", theory},
     {"step-limit-runs", "dt / limit", stated},
     {"step-limit-runs", "growth by theory", theory},
+    {"step-limits", "dt formula", "of a limit of 0, where no step is stable"},
+    {"step-limits", "dt measured", "of a limit of 0, where no step is stable"},
+    {"step-limits", "omega deciding", "of full order: this mesh's own, to rounding"},
+    {"step-limits", "omega max", "of full order: this mesh's own, to rounding"},
+    {"step-limits", "zeta", "of full order: this mesh's own, to rounding"},
 };
 
 struct Numbers {
