@@ -138,7 +138,10 @@ INSTANTIATE_TEST_SUITE_P(ErrorBars, MarksVerification,
                                            Finest{"geological-tower.toml", "{ degree = 4, cells = [2, 2, 12] }"},
                                            Finest{"resonance.toml", "{ degree = 4, cells = [2, 2, 12] }"},
                                            Finest{"million-steps.toml", "{ degree = 4, cells = [2, 2, 20] }"},
-                                           Finest{"undamped-impacts.toml", "{ degree = 3, cells = [2], graded = 2 }"}),
+                                           Finest{"undamped-impacts.toml", "{ degree = 3, cells = [2], graded = 2 }"},
+                                           Finest{"../cylinder-compression-step.toml",
+                                                  "{ degree = 4, cells = [1, 8] }"},
+                                           Finest{"../cylinder-shear.toml", "{ degree = 4, cells = [2, 8] }"}),
                          [](const auto& at) {
                            return stem_of(at.param.file) +
                                   (std::string(at.param.mesh).find("[2, 2, 32]") == std::string::npos ? "" : "_across");
