@@ -99,7 +99,7 @@ PerDistance more_than_moves(const std::string& scene) {
   const auto more = [&](double order) {
     return 1 / (1 - 1 / fall_of_errors(all.truth.finer, all.truth.coarser, order));
   };
-  return {more(2 * order_of_strain(all)), more(order_of_strain(all))};
+  return {more(2 * order_of_motion(all)), more(order_of_motion(all))};
 }
 
 class MarksVerification : public ::testing::TestWithParam<Finest> {};
@@ -138,7 +138,10 @@ INSTANTIATE_TEST_SUITE_P(ErrorBars, MarksVerification,
                                            Finest{"geological-tower.toml", "{ degree = 4, cells = [2, 2, 12] }"},
                                            Finest{"resonance.toml", "{ degree = 4, cells = [2, 2, 12] }"},
                                            Finest{"million-steps.toml", "{ degree = 4, cells = [2, 2, 20] }"},
-                                           Finest{"undamped-impacts.toml", "{ degree = 3, cells = [2], graded = 2 }"}),
+                                           Finest{"undamped-impacts.toml", "{ degree = 3, cells = [2], graded = 2 }"},
+                                           Finest{"../cylinder-compression-step.toml",
+                                                  "{ degree = 4, cells = [1, 8] }"},
+                                           Finest{"../cylinder-shear.toml", "{ degree = 4, cells = [2, 8] }"}),
                          [](const auto& at) {
                            return stem_of(at.param.file) +
                                   (std::string(at.param.mesh).find("[2, 2, 32]") == std::string::npos ? "" : "_across");

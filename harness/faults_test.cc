@@ -136,6 +136,10 @@ TEST(FaultCases, ReportsOfTwoStoresAtOnceLeaveOneOfThem) {
     }
     const bool is_small = text(scratch / "both/report.md").find("| large") == std::string::npos;
     EXPECT_EQ(files("both"), is_small ? small : large) << i;
+    for (const char* file : {"verification.md", "data/records.csv", "data/results.jsonl"})
+      EXPECT_EQ(text(scratch / ("both/" + std::string(file))),
+                text(scratch / ((is_small ? "small-alone/" : "large-alone/") + std::string(file))))
+          << file << i;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "cases/contract/finding.h"
 #include "cases/contract/record.h"
 #include "cases/scene/scene.h"
+#include "reports/publish.h"
 
 namespace mb {
 
@@ -62,6 +63,9 @@ std::vector<SpeedUp> speed_ups(const std::vector<Record>& records, const std::st
 
 // Whether the browser part was built into this library; without it write_report writes no report.html.
 bool page_available();
+
+// All files of a report, page included; publish puts them where they belong.
+std::vector<ReportFile> report_files(const ReportInput& input);
 
 // Writes report.md, data/*.csv, data/results.jsonl, tables/*.tex, figures/*.vl.json and, where the browser part was
 // built, report.html below `directory`, in the place of a report that stands there (publish.h). Returns the files

@@ -80,8 +80,10 @@ std::vector<ReportFile> compose(const Evaluation& evaluation) {
 
 bool page_available() { return !page_template().empty(); }
 
+std::vector<ReportFile> report_files(const ReportInput& input) { return compose(evaluate(input)); }
+
 std::vector<std::filesystem::path> write_report(const ReportInput& input, const std::filesystem::path& directory) {
-  return publish(compose(evaluate(input)), directory);
+  return publish(report_files(input), directory);
 }
 
 }  // namespace mb

@@ -12,19 +12,30 @@ namespace mb {
 namespace {
 
 constexpr const char* stated = "stated by the case or the study, or a multiple of that";
+constexpr const char* chosen = "chosen, by this mesh's frequencies or the contact's duration; exact as it was run";
 constexpr const char* itself = "is an uncertainty itself";
-constexpr const char* clocked = "measured on one machine; what repetitions spread is told in their table";
-constexpr const char* theory = "theory on this mesh's matrices: rounding, and where it is searched for 1e-9 of it";
-constexpr const char* between = "on a line in logarithms between two rows of the table before, which have bars";
-constexpr const char* fitted = "of a fit on the same samples; rounding times the condition beside it";
+constexpr const char* clocked = "measured on one machine at one time; its table says how often";
+constexpr const char* theory =
+    "theory on this mesh's matrices: rounding, and where a limit is searched for 1e-9 of it, 3e-12 zeta where that is "
+    "more, 1e-3 for kicks in contact";
+constexpr const char* counted = "counted, which repeats";
+constexpr const char* before = "a quotient of numbers of the tables before, or one of these";
+constexpr const char* missed = "of steps that miss a touch which a motion a third as large has, or the other way round";
+constexpr const char* between =
+    "on a line in logarithms between two speeds that were tried, known no better than they lie apart";
+constexpr const char* fitted = "of this mesh's modes on the same samples; rounding times the condition beside it";
+constexpr const char* by_auto = "stated, or `auto` by a closed form of the first touch";
 
 struct Reason {
   const char *table, *column, *why;  // table: "*": any
 };
 
 constexpr Reason reasons[] = {
-    {"*", "dt", stated},
+    {"*", "dt", chosen},
+    {"*", "busy", clocked},
     {"*", "standard error", itself},
+    {"*", "standard error of time", itself},
+    {"*", "standard error of tests", itself},
     {"*", "claimed", stated},
     {"amplitude", "speed", "of the rigid body at its first touch, in closed form"},
     {"amplitude", "speed/scene's", stated},
@@ -36,26 +47,41 @@ constexpr Reason reasons[] = {
     {"amplitude-limits", "largest strain", between},
     {"amplitude-limits", "largest deformation", between},
     {"aspect", "largest residual", itself},
-    {"aspect", "length/thickness", stated},
     {"contact-conditions", "factor", stated},
+    {"collision-cost", "building", clocked},
+    {"collision-cost", "depth error", "of the body's polygons against its shape, in double precision"},
+    {"collision-cost", "memory", counted},
+    {"collision-cost", "spread", itself},
+    {"collision-cost", "time", clocked},
+    {"collision-cost", "time a point", clocked},
+    {"collision-cost-claim", "exponent analytic", before},
+    {"collision-cost-claim", "exponent rival", before},
+    {"collision-cost-crossover", "time ratio", clocked},
+    {"collision-cost-exponents", "theory", "theory"},
+    {"contact-forces", "depth", stated},
+    {"contact-forces", "error of exact", itself},
+    {"contact-forces-claim", "gain", before},
+    {"contact-forces-claim", "least gain", before},
+    {"contact-forces-orders", "depth", stated},
     {"contact-geometry", "condition", fitted},
     {"contact-geometry", "residual", fitted},
     {"contact-geometry", "worst mode", fitted},
     {"contact-geometry", "largest", fitted},
-    {"contact-meetings", "stiffness", stated},
+    {"contact-meetings", "stiffness", by_auto},
     {"contact-meetings", "E*", stated},
     {"contact-meetings", "a", "closed form of what the case states, and its speed"},
     {"contact-meetings", "k a/E*", "closed form of what the case states, and its speed"},
     {"contact-samples", "size / a", stated},
     {"contact-stability", "dt / limit", theory},
+    {"contact-stability", "energy", missed},
     {"contact-stability", "limit", theory},
     {"contact-stability", "opening limit", theory},
     {"contact-stability", "spectral radius", theory},
     {"contact-stability", "stiffness factor", stated},
     {"contact-stability-summary", "unstable from", "the least of steps that are halves of each other"},
     {"contact-stiffness", "factor", stated},
-    {"contact-stiffness", "k a/E*", stated},
-    {"contact-stiffness", "stiffness", stated},
+    {"contact-stiffness", "k a/E*", by_auto},
+    {"contact-stiffness", "stiffness", by_auto},
     {"contact-time", "share", clocked},
     {"contact-time", "time", clocked},
     {"contact-time", "time a call", clocked},
@@ -64,16 +90,28 @@ constexpr Reason reasons[] = {
     {"contact-time-runs", "time", clocked},
     {"contact-time-runs", "with displacements", clocked},
     {"corrected-stability", "dt / limit", theory},
+    {"corrected-stability", "energy", missed},
     {"corrected-stability", "limit", theory},
     {"corrected-stability", "opening limit", theory},
     {"corrected-stability", "spectral radius", theory},
     {"corrected-stability", "stiffness factor", stated},
     {"corrected-stability-summary", "unstable from", "the least of steps that are halves of each other"},
+    {"damping-of-steps", "zeta of run", "of a mode that the finer mesh's run has no ratio of"},
+    {"flight-cost", "contact time", "as that run had it, whose cost it counts"},
+    {"flight-cost", "flight time", chosen},
+    {"flight-cost", "real-time factor", clocked},
+    {"flight-cost", "spread", itself},
+    {"flight-cost", "time", clocked},
+    {"flight-cost", "time a step", clocked},
+    {"flight-cost-exponents", "expected", "theory"},
     {"force-history", "time", stated},
     {"frequencies", "GCI", itself},
     {"frequencies", "reference", "published, or a closed form; its uncertainty is the bar of the errors against it"},
+    {"instructions", "MIPS for real time", counted},
+    {"instructions", "a step", counted},
+    {"instructions", "instructions", counted},
     {"instructions", "real-time factor", clocked},
-    {"instructions", "share counted", "counts, which repeat"},
+    {"instructions", "share counted", counted},
     {"instructions", "time", clocked},
     {"slenderness", "bar", itself},
     {"slenderness", "length/width", stated},
@@ -82,11 +120,16 @@ constexpr Reason reasons[] = {
     {"stability-map", "spectral radius", theory},
     {"step-limit-runs", "dt / limit", stated},
     {"step-limit-runs", "growth by theory", theory},
+    {"step-limits", "dt formula", "of a limit of 0, where no step is stable"},
+    {"step-limits", "dt measured", "of a limit of 0, where no step is stable"},
+    {"step-limits", "omega deciding", "of full order: this mesh's own, to rounding"},
+    {"step-limits", "omega max", "of full order: this mesh's own, to rounding"},
+    {"step-limits", "zeta", "of full order: this mesh's own, to rounding"},
 };
 
 struct Numbers {
   std::string unit;
-  bool any = false, barred = false;
+  long n = 0, n_without = 0;
 };
 
 }  // namespace
@@ -107,20 +150,27 @@ Sheet unbarred_columns(const std::vector<Finding>& findings) {
         if (finding.columns[j].unit.empty() || !number || !std::isfinite(*number)) continue;
         Numbers& of = columns[{finding.name, finding.columns[j].name}];
         of.unit = finding.columns[j].unit;
-        of.any = true;
-        of.barred = of.barred || (!finding.bars.empty() && std::isfinite(finding.bars[i][j]));
+        ++of.n;
+        of.n_without += finding.bars.empty() || !std::isfinite(finding.bars[i][j]);
       }
   Sheet sheet{
       .name = "unbarred",
       .title = "Numbers without a bar",
-      .note = "Columns of analyses' tables that have no error bar beside their numbers, and why they need none.",
-      .columns = {{"table", ""}, {"column", ""}, {"unit", ""}, {"why", ""}},
+      .note = "Numbers of analyses' tables that have no error bar beside them, by column, and why they need none.",
+      and why they need
+              none.",
+                  .columns = {{"table", ""},
+                              {"column", ""},
+                              {"unit", ""},
+                              {"numbers", "", Column::Kind::number},
+                              {"without a bar", "", Column::Kind::number},
+                              {"why", ""}},
       .rows = {},
       .n_keys = 2};
   for (const auto& [of, numbers] : columns)
-    if (numbers.any && !numbers.barred)
-      sheet.rows.push_back({text_cell(of.first), text_cell(of.second), text_cell(numbers.unit),
-                            text_cell(reason_without_bar(of.first, of.second))});
+    if (numbers.n_without > 0)
+      sheet.rows.push_back({text_cell(of.first), text_cell(of.second), text_cell(numbers.unit), count_cell(numbers.n),
+                            count_cell(numbers.n_without), text_cell(reason_without_bar(of.first, of.second))});
   return sheet;
 }
 

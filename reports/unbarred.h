@@ -1,4 +1,4 @@
-// Columns of analyses' tables whose numbers have no error bar beside them, each with the reason why it needs none.
+// Numbers of analyses' tables that have no error bar beside them, column by column, and the reason why they need none.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace mb {
 // "" where none is known: such a number is not to be trusted before it has a bar or a reason.
 std::string reason_without_bar(const std::string& table, const std::string& column);
 
-// table, column, unit, why; a row for every column that has numbers with a unit in some table of the input and a bar
-// nowhere.
+// table, column, unit, numbers, those without a bar, why; a row for every column with a unit that has such in some
+// table of the input.
 Sheet unbarred_columns(const std::vector<Finding>& findings);
 
 }  // namespace mb

@@ -91,23 +91,25 @@ bool check_is_finer(const Mesh& finer, const Resolution& other, const std::strin
   return false;
 }
 
-// Of what is off where `finer` is no better, their distance tells nothing.
+// Of what is off where `finer` is no better, or another kind of mesh, their distance tells nothing.
 void check_sees_all(const Resolution& finer, const Resolution& coarser, const Position& where,
                     const std::vector<BodyDraft>& bodies, Findings& findings) {
   for (size_t i = 0; i < bodies.size(); ++i) {
-    const double fall =
-        i == 0 ? fall_of_body(finer, coarser, 1) : fall_of_body(finer.others.at(i - 1), coarser.others.at(i - 1), 1);
-    if (fall > 1) continue;
-    findings.error(where,
-                   fmt::format("'coarser' tells nothing of what 'finer' is off in body '{}': errors need not fall "
-                               "between them in every direction in which they differ",
-                               bodies[i].name.value_or("")));
+    const Resolution& fine = i == 0 ? finer : finer.others.at(i - 1);
+    const Resolution& coarse = i == 0 ? coarser : coarser.others.at(i - 1);
+    const bool alike = fine.bias == coarse.bias && fine.distorted == coarse.distorted;
+    if (alike && fall_of_body(fine, coarse, 1) > 1) continue;
+    findings.error(
+        where,
+        fmt::format("'coarser' tells nothing of what 'finer' is off in body '{}': {}", bodies[i].name.value_or(""),
+                    alike ? "errors need not fall between them in every direction in which they differ"
+                          : "'bias' and 'distorted' of both must be the same"));
   }
 }
 
 // By how much errors fall at best from one mesh to another of the same degree p: r^p, r the largest ratio of cells
 // along an axis. Nothing where degree, grading or a theory's half waves tell otherwise.
-std::optional<double> fall_of_errors(const Resolution& fine, const Resolution& coarse, const BodyDraft& body) {
+std::optional<double> best_fall(const Resolution& fine, const Resolution& coarse, const BodyDraft& body) {
   const bool alike = fine.degree == coarse.degree && fine.graded == coarse.graded && body.theory == Theory::solid;
   if (!alike || fine.cells.size() != coarse.cells.size()) return {};
   double r = 1;
@@ -121,8 +123,8 @@ void check_is_apart(const Resolution& finer, const Resolution& coarser, const Po
                     const std::vector<BodyDraft>& bodies, Findings& findings) {
   double largest = 1;
   for (size_t i = 0; i < bodies.size(); ++i) {
-    const auto fall = i == 0 ? fall_of_errors(finer, coarser, bodies[i])
-                             : fall_of_errors(finer.others.at(i - 1), coarser.others.at(i - 1), bodies[i]);
+    const auto fall = i == 0 ? best_fall(finer, coarser, bodies[i])
+                             : best_fall(finer.others.at(i - 1), coarser.others.at(i - 1), bodies[i]);
     if (!fall) return;
     largest = std::max(largest, *fall);
   }
@@ -150,9 +152,10 @@ void check_meshes(const Mesh& finer, const Mesh& coarser, std::optional<Section>
     const Position& where = own_finer && !own_coarser ? finer.where : coarser.where;
     if (*finer.resolution == *coarser.resolution)
       findings.error(where, "'coarser' equals 'finer': their distance is the error bar, and would be 0");
-    else if (check_is_finer(finer, *coarser.resolution, "'coarser'", where, bodies, findings))
-      check_is_apart(*finer.resolution, *coarser.resolution, where, bodies, findings),
-          check_sees_all(*finer.resolution, *coarser.resolution, where, bodies, findings);
+    else if (check_is_finer(finer, *coarser.resolution, "'coarser'", where, bodies, findings)) {
+      check_is_apart(*finer.resolution, *coarser.resolution, where, bodies, findings);
+      check_sees_all(*finer.resolution, *coarser.resolution, where, bodies, findings);
+    }
   }
   if (!own) return;
   const bool own_mesh = profile && profile->has("resolution") && !own_finer;

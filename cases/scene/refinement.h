@@ -2,7 +2,8 @@
 //
 //   q = (h_c/h_f)^p (n_f/n_c)^(2 p)      degree n, which counts twice (Babuska and Suri 1987)
 //
-// of all bodies and directions in which the two differ the least: what is off along the others they do not tell.
+// of all bodies and directions in which the two differ the least. What is off along the others, and by cells of uneven
+// sizes that are as uneven in both, they do not tell.
 #pragma once
 
 #include "cases/scene/scene.h"

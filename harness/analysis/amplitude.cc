@@ -24,7 +24,8 @@ Finding sweep_table() {
       "Force, impulse and duration of the first contact are the finite answer's. Full order is at a tenth of the "
       "truth's tolerance; `of steps`: what linear full order is off by at the truth's own, beside which an error means "
       "something. Bars: that, of modes with what steps twice as long move; of strain, deformation, force, impulse and "
-      "duration what the truth's own tolerance moves in linear full order, of ratios twice.",
+      "duration what the truth's own tolerance moves in linear full order, of ratios twice: all of that mesh, whatever "
+      "another has.",
       {{"speed", "m/s"},
        {"speed/scene's", "-"},
        {"status", ""},

@@ -74,7 +74,7 @@ class ContactBudget {
   std::vector<Finding> findings() && {
     for (const auto& [what, reason] : reasons_) tables_.note(reason);
     std::vector<Finding> found = std::move(tables_).findings();
-    add_bars(found, std::move(beside_).findings(), bars_per_distance(scene_));
+    add_bars(found, std::move(beside_).findings(), context_.truth.per_distance);
     return found;
   }
 

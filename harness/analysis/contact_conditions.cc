@@ -19,9 +19,9 @@ Finding contacts_table() {
   return table("contact-stiffness", "contacts-in-turn", "Contacts one by one",
                "Touches that follow each other within half of the first one's duration are one contact. Errors against "
                "the truth's same contact, relative, that of the start to the duration of the truth's first; their "
-               "bars 5/4 of the distance to those against its coarser mesh; of the values themselves of what steps "
-               "twice as long, or "
-               "ten times the tolerance, move. Empty: it has no such contact.",
+               "bars 5/4 of the distance to those against its coarser mesh, more where that is near; of the values "
+               "themselves as much of what steps twice as long, or ten times the tolerance, move. Empty: it has no "
+               "such contact.",
                {{"contact", ""},
                 {"contender", ""},
                 {"modes r", ""},
@@ -42,8 +42,9 @@ Finding conditions_table() {
       "Each contact answered again with the layer's stiffness larger by a hundredth. Condition: change over "
       "the value, of the start over the duration of the first contact, by that hundredth. Of the first "
       "contact alone it is about 0.4 at most in size (on a wall F ~ k^(2/5), Hertz); what it has more afterwards the "
-      "motion in between has made. Bars: 5/4 of what steps twice as long, or ten times the tolerance, move. Empty: the "
-      "same contact is not there again.",
+      "motion in between has made. Bars: 5/4 of what steps twice as long, or ten times the tolerance, move, or as much "
+      "more as truths "
+      "have of near meshes. Empty: the same contact is not there again.",
       {{"contact", ""},
        {"contender", ""},
        {"modes r", ""},
@@ -163,7 +164,7 @@ std::vector<Finding> contact_conditions(const ContactVariants& variants, const A
                          contacts_in(variants.simulate_coarsely(stiffer, of))};
     add_rows(found, beside, of, answers, coarse, truths);
   }
-  add_bars(found, beside, PerDistance(bars_per_distance(*context.scene).mean));
+  add_bars(found, beside, PerDistance(context.truth.per_distance.mean));
   return found;
 }
 

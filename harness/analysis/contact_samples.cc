@@ -41,9 +41,10 @@ Index n_samples(const FloatingBases& bases) {
 }
 
 // [-] How far the truth itself may be off in one of its numbers.
-double bar_of(const TruthSet& truth, double FirstImpact::*part) {
+double bar_of(const TruthSet& truth, double per_distance, double FirstImpact::*part) {
   const auto of = [&](const Trajectory& one) { return first_impact(one, truth.finer).*part; };
-  return std::abs(of(truth.coarser) / of(truth.finer) - 1) + std::abs(of(truth.loose) / of(truth.same_mesh) - 1);
+  return per_distance * std::abs(of(truth.coarser) / of(truth.finer) - 1) +
+         std::abs(of(truth.loose) / of(truth.same_mesh) - 1);
 }
 
 // The last row's bars of values and changes: `now` against the finest, and these against the next.
@@ -66,8 +67,9 @@ Finding contact_samples(const ContactVariants& variants, const AnalysisContext& 
   if (!std::ranges::any_of(context.scene->contacts, sampled)) return found;
   const Trajectory& truth = context.truth.finer;
   const FirstImpact real = first_impact(truth, truth);
-  const double of_peak = bar_of(context.truth, &FirstImpact::peak),
-               of_impulse = bar_of(context.truth, &FirstImpact::impulse);
+  const double F = context.truth.per_distance.mean;
+  const double of_peak = bar_of(context.truth, F, &FirstImpact::peak),
+               of_impulse = bar_of(context.truth, F, &FirstImpact::impulse);
   for (ContactContender of : variants.contenders()) {
     if (of.modes < 0) continue;
     std::vector<FirstImpact> impacts;

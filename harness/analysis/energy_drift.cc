@@ -85,6 +85,7 @@ struct Windows {
   Status status;
   MatrixXd E;
   double drift() const { return drifts(E, 0, drift_window).tail<1>()(0); }
+  double swing() const { return (E.col(0).array() - 1).abs().maxCoeff(); }
 };
 Windows run_windows(const Integrator& integrator, const System& system, const std::vector<double>& at, double dt,
                     double scale) {
@@ -104,6 +105,11 @@ double rounding(const Windows& whole, const Windows& third) {
   return std::max(2 * std::abs(third.drift() - whole.drift()), std::numeric_limits<double>::epsilon());
 }
 
+double rounding_of_swing(const Windows& whole, const Windows& third) {
+  if (third.status != Status::ok) return std::numeric_limits<double>::quiet_NaN();
+  return std::max(2 * std::abs(third.swing() - whole.swing()), drift_window * std::numeric_limits<double>::epsilon());
+}
+
 }  // namespace
 
 EnergyDrift energy_drift(const Integrator& integrator, const System& system, double dt, Index n_steps) {
@@ -113,13 +119,17 @@ EnergyDrift energy_drift(const Integrator& integrator, const System& system, dou
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> at = ends(n_steps);
   const Windows windows = run_windows(integrator, system, at, dt, 1);
-  if (windows.status != Status::ok) return {windows.status, nan, nan, nan, {nan, nan, 0}};
+  if (windows.status != Status::ok) return {windows.status, nan, nan, nan, nan, {nan, nan, 0}};
   const VectorXd drift = drifts(windows.E, 0, drift_window);
   const auto n_apart = static_cast<Index>(at.size()) - 1;
   const VectorXd apart = Eigen::Map<const VectorXd>(at.data() + 1, n_apart).array() - at[0];
-  const double by_rounding = rounding(windows, run_windows(integrator, system, at, dt, 1. / 3));
-  return {windows.status, (windows.E.col(0).array() - 1).abs().maxCoeff(), windows.drift(),
-          bar(windows.E, windows.drift()) + by_rounding, power_law(apart, drift.cwiseAbs())};
+  const Windows third = run_windows(integrator, system, at, dt, 1. / 3);
+  return {windows.status,
+          windows.swing(),
+          rounding_of_swing(windows, third),
+          windows.drift(),
+          bar(windows.E, windows.drift()) + rounding(windows, third),
+          power_law(apart, drift.cwiseAbs())};
 }
 
 }  // namespace mb

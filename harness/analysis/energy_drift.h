@@ -14,8 +14,9 @@ inline constexpr Index drift_window = 1000;  // [-] steps over which energy is a
 
 struct EnergyDrift {
   Status status;
-  double swing;  // [-] largest |E/E(0) - 1| within the first window
-  double drift;  // [-] at the end
+  double swing;         // [-] largest |E/E(0) - 1| within the first window
+  double bar_of_swing;  // [-] rounding, as motion a third as large shows, eps a step at the least
+  double drift;         // [-] at the end
   double bar;    // [-] of the drift: grid convergence index (harness/metrics/gci.h) of windows of half as many steps,
                  // and what rounding makes of it, as motion a third as large shows
   PowerLaw law;  // of |drift| over the steps from the first window on

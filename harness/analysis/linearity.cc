@@ -24,9 +24,9 @@ Finding linearity_table() {
       "Of the body's modes under the scene's loads, at up to forty of its samples. Strain and rotation: the "
       "largest of the linear answer. Estimate: the first two terms beyond linear theory of a perturbation "
       "series, each static, from the stored energy. Error: of the linear answer against the finite truth. "
-      "Bars: twice the distance to the same on the finer mesh of the case, its own finite truth with it, and to a "
-      "truth "
-      "of ten times the tolerance. Verdict: whether strain or rotation is beyond what is taken without a warning.",
+      "Bars: twice the distance to the same on the finer mesh of the case, its own finite truth with it, more where "
+      "errors of strain need not fall to half, and the distance to a truth of ten times the tolerance. Verdict: "
+      "whether strain or rotation is beyond what is taken without a warning.",
       {{"modes r", ""},
        {"largest strain", "-"},
        {"largest rotation", "rad"},

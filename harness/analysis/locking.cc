@@ -98,7 +98,7 @@ std::vector<Finding> tables(const PoissonSweep& all, const std::vector<SweptAnsw
 std::vector<Finding> locking(const AnalysisContext& context) {
   const PoissonSweep all = poisson_sweep(*context.scene, {std::begin(ratios), std::end(ratios)});
   std::vector<Finding> found = tables(all, all.truths);
-  add_bars(found, tables(all, all.beside));
+  add_bars(found, tables(all, all.beside), PerDistance(safety_of_meshes));  // cells of half the size: q > 2
   found.push_back(dynamics(context));
   return found;
 }

@@ -86,15 +86,27 @@ VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other) {
   return omega;
 }
 
-AnotherMesh another_mesh(const Scene& scene) {
-  if (scene.truth.finer == own_meshes(scene)) return {scene.truth.coarser, bars_per_distance(scene).mean};
-  return {scene.truth.finer, 2};
+namespace {
+
+// [-] Of the own mesh by its distance to `finer`.
+double bar_of_own(const Scene& scene, double order) {
+  const double fall = fall_of_errors(scene.truth.finer, own_meshes(scene), order);
+  if (!(fall > 1)) return std::numeric_limits<double>::infinity();
+  return std::max(2.0, safety_of_meshes * fall / (fall - 1));
 }
 
-double strain_bar_per_distance(const Scene& scene) {
-  if (scene.truth.finer == own_meshes(scene)) return bars_per_distance(scene).local;
-  const double fall = fall_of_errors(scene.truth.finer, own_meshes(scene), order_of_strain(scene));
-  return fall > 1 ? safety_of_meshes * fall / (fall - 1) : std::numeric_limits<double>::infinity();
+}  // namespace
+
+AnotherMesh another_mesh(const Scene& scene) {
+  if (scene.truth.finer == own_meshes(scene))
+    return {scene.truth.coarser, bar_per_distance(scene.truth.finer, scene.truth.coarser, 2 * order_of_modes(scene))};
+  return {scene.truth.finer, bar_of_own(scene, 2 * order_of_modes(scene))};
+}
+
+PerDistance own_bars_per_distance(const Scene& scene, const TruthSet& truth) {
+  if (scene.truth.finer == own_meshes(scene)) return truth.per_distance;
+  const double p = order_of_motion(scene);
+  return {bar_of_own(scene, 2 * p), bar_of_own(scene, p)};
 }
 
 std::vector<int> mode_counts(const AnalysisContext& context) {

@@ -50,18 +50,16 @@ SeenModes seen_modes(const FullModel& full, const Quadrature& volume, const Mode
 // moves alike; NaN where the other has fewer modes.
 VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other);
 
-// What tells how far numbers of the own mesh are off: the truth's `finer`. Where the error of that is half of the own's
-// at most, |own - exact| <= 2 |own - finer|; where the own is `finer`, |own - exact| <= F |own - coarser|, as of truths
-// (harness/study/mesh_bar.h). What a mesh leaves as it is, as the sides of a cylinder's
-// cells, it tells nothing of: 1e-8 of frequencies of torsion.
+// What tells how far numbers of the own mesh are off: the truth's `finer`. Where errors fall by q from the one to the
+// other, |own - exact| = q/(q - 1) |own - finer|, and a quarter more, twice at the least; where the own is `finer`,
+// |own - exact| <= F |own - coarser|, as of truths (harness/study/mesh_bar.h). What a mesh leaves as it is, as the
+// sides of a cylinder's cells, it tells nothing of: 1e-8 of frequencies of torsion.
 struct AnotherMesh {
   Resolution meshes;
-  double bar_per_distance;  // [-] 2, or F of `coarser`
+  double bar_per_distance;  // [-] >= 2, or F of `coarser`; infinite where errors need not fall
 };
 AnotherMesh another_mesh(const Scene& scene);
-// [-] Of numbers in which strain is seen: errors fall by q from the own mesh to `finer`, hence 5/4 q/(q - 1); infinite
-// where q <= 1. Where the own is `finer` F of strain.
-double strain_bar_per_distance(const Scene& scene);
+PerDistance own_bars_per_distance(const Scene& scene, const TruthSet& truth);  // likewise, of motions under its loads
 
 // Of a mesh that the case does not state, so that nobody has asked yet whether it fits: throws std::runtime_error with
 // both numbers where it takes more memory than there is.

@@ -19,7 +19,7 @@ namespace mb {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 // An order is told from errors that stand this far above what the reference is uncertain by.
 constexpr double resolved = 20;  // [-]
 
@@ -95,26 +95,26 @@ MeshSequence sequence(const std::vector<OnMesh>& meshes) {
 
 // [-] of the finest mesh of a sequence. Frequencies of elements of degree k converge at order 2k (Strang & Fix 1973,
 // ch. 6) where modes are smooth; of held bodies they are not.
-double convergence_index(const std::vector<OnMesh>& meshes, const MeshSequence& row, Index mode, bool held) {
+double convergence_index(const std::vector<OnMesh>& meshes, const MeshSequence& row, Index mode, double least_order) {
   if (row.meshes.empty()) return nan;
   const auto f = [&](size_t i) { return meshes[row.meshes[i]].hertz(mode); };
-  constexpr double of_clamps = 1.4;  // twice the exponent of displacement at a fixed edge (Williams 1952), nu 0.3
-  const double smooth = 2.0 * meshes[row.meshes[0]].resolution.degree,
-               order = held ? std::min(smooth, of_clamps) : smooth;
+  const double order = std::min(2.0 * meshes[row.meshes[0]].resolution.degree, least_order);
   if (row.meshes.size() == 2) return gci_of_two(f(0), f(1), row.ratio, order).value_or(nan);
   const auto three = grid_convergence(f(0), f(1), f(2), row.ratio, order);
   return three ? three->fine : nan;
 }
 
 // How the column of the index came about, in words.
-std::string index_note(const std::vector<OnMesh>& meshes, const MeshSequence& row) {
+std::string index_note(const std::vector<OnMesh>& meshes, const MeshSequence& row, double least_order) {
   if (row.meshes.empty()) return " GCI: there are no two meshes of one degree and shape of cell.";
   return fmt::format(
       " GCI: grid convergence index (Roache 1998) of {}, the band about its frequency without the reference, "
       "from {} meshes at a ratio of {:.4g} with a factor of {}.",
       to_string(meshes[row.meshes[0]].resolution), row.meshes.size(), row.ratio,
-      row.meshes.size() == 3 ? "1.25 and their own order, 3 where that is off the order of theory by more than a tenth"
-                             : "3 and the order of theory, twice the degree, of held bodies 1.4 at most");
+      row.meshes.size() == 3
+          ? "1.25 and their own order, 3 where that is off the order of theory by more than a tenth"
+          : fmt::format("3 and the order of theory, twice the degree{}",
+                        std::isinf(least_order) ? std::string() : fmt::format(", {:.3g} at most", least_order)));
 }
 
 }  // namespace
@@ -127,19 +127,23 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
   std::vector<OnMesh> meshes;
   for (const Resolution& r : {scene.truth.coarser, own_meshes(scene), scene.truth.finer})
     meshes.push_back(on_mesh(context, r, n));
+  const double of_finer = another_mesh(scene).bar_per_distance;
   Finding found = table(
       "frequencies", "frequencies", "Natural frequencies against published ones",
       fmt::format(
           "Modes in ascending order; relative uncertainty of the reference {:.0e}. Error: f/f_reference - 1, on "
           "the body's mesh where no other is named. Order: between the finest two meshes of one degree whose cells "
-          "are of one shape. Bar of a frequency: the larger distance to those of the other two meshes.",
-          reference.uncertainty),
+          "are of one shape. Bar of a frequency: the larger of its distance to that of `coarser` and {:.3g} times that "
+          "to `finer`.",
+          reference.uncertainty, of_finer),
       {{"mode", ""}, {"reference", "Hz"}, {"frequency", "Hz"}, {"error", "-"}});
   for (const OnMesh& mesh : meshes) found.columns.push_back({"error " + to_string(mesh.resolution), "-"});
   found.columns.push_back({"order", "-"});
   found.columns.push_back({"GCI", "-"});
   const MeshSequence row = sequence(meshes);
-  found.note += index_note(meshes, row);
+  // Where no support holds a body modes are smooth; at a clamp's edge (mesh_bar.h) frequencies have twice its order.
+  const double least_order = is_held(scene.bodies.front()) ? 2 * order_of_modes(scene) : infinity;
+  found.note += index_note(meshes, row, least_order);
   for (Index i = 0; i < n; ++i) {
     const double f = reference.hertz[static_cast<size_t>(i)];
     std::vector<double> errors;
@@ -148,12 +152,12 @@ std::vector<Finding> natural_frequencies(const AnalysisContext& context) {
     found.rows.back().insert(found.rows.back().end(), errors.begin(), errors.end());
     const BarredOrder observed = observed_order(meshes, errors, reference.uncertainty);
     found.rows.back().push_back(observed.order);
-    found.rows.back().push_back(convergence_index(meshes, row, i, is_held(scene.bodies.front())));
+    found.rows.back().push_back(convergence_index(meshes, row, i, least_order));
     found.bars.emplace_back(found.columns.size(), nan);  // of errors: what the reference leaves open
     for (size_t j = 3; j < 4 + meshes.size(); ++j) found.bars.back()[j] = reference.uncertainty;
     found.bars.back()[4 + meshes.size()] = observed.bar;
-    found.bars.back()[2] =
-        std::max(std::abs(meshes[1].hertz(i) - meshes[0].hertz(i)), std::abs(meshes[1].hertz(i) - meshes[2].hertz(i)));
+    found.bars.back()[2] = std::max(std::abs(meshes[1].hertz(i) - meshes[0].hertz(i)),
+                                    of_finer * std::abs(meshes[1].hertz(i) - meshes[2].hertz(i)));
   }
   return {found};
 }

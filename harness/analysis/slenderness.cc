@@ -28,10 +28,9 @@ Finding slenderness_table() {
                "proportion; times of loads as many periods of the lowest elastic mode as in the case. Each load alone, "
                "scaled to a static deflection of 1e-8 of the width. "
                "Truth: 96 eigenmodes of the body's own mesh with the static response of all others, exact in time, as "
-               "the Ritz modes are; bar: what half as many modes are off. Bars: of errors that, times 1 + e, of static "
-               "ones and of frequencies "
-               "what rounding makes of the lowest. Degree 0: rigid motion alone, which has no "
-               "deformation. Frequency: the lowest of the Ritz modes over that of the mesh. Verdict: whether degree 2, "
+               "the Ritz modes are; bar: what half as many modes are off, of errors e times 1 + e, and of static ones "
+               "and frequencies what rounding makes of the lowest: all of that mesh, whatever another has. Degree 0: "
+               "rigid motion alone, which has no deformation. Frequency: the lowest of the Ritz modes over that of the mesh. Verdict: whether degree 2, "
                "rigid, linear and quadratic modes, leave at most 10 % of the deformation.",
                {{"claim", ""},
                 {"load", ""},

@@ -16,6 +16,7 @@ namespace mb {
 
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int counts_mapped = 5, steps_a_decade = 4;
 constexpr std::size_t fewest_fitted = 3;  // errors of an order
 constexpr long steps_of_vibration = 1000, most_steps = 50000;
@@ -174,31 +175,25 @@ std::vector<double> steps_of_whole(const MappedSystem& whole, const std::string&
 
 // [-] Of the closed form, whose loads are met to that.
 double bar_of_error(const StepCell& cell, const Scene& scene) {
-  return std::isfinite(cell.error) ? scene.study.load_tolerance : std::numeric_limits<double>::quiet_NaN();
+  return std::isfinite(cell.error) ? scene.study.load_tolerance : nan;
 }
-
-// The cell of a number, for its bar.
-struct Origin {
-  const MappedSystem* mapped = nullptr;
-  StepCell cell{};
-  double bar(const Integrator& integrator) const { return mapped ? bar_of_energy(*mapped, integrator, cell) : 0; }
-};
 
 struct Summary {
   double stable = 0, inaccurate = 0, unstable = 0, foretold = 0, otherwise = 0, slow = 0, at_limit = 0, energy = 0;
-  double over = std::numeric_limits<double>::quiet_NaN();  // of the energy its bound
-  Origin of_energy, of_over;                               // which cells have these
-  std::vector<double> dt, error;                           // of the largest mode count
+  double over = nan;  // of the energy its bound
+  double bar_of_energy = 0, bar_of_over = 0;
+  std::vector<double> dt, error;  // of the largest mode count
 
-  void add(const StepCell& cell, const MappedSystem& mapped) {
+  void add(const StepCell& cell, double bar) {
     (cell.found == StepClass::stable ? stable : cell.found == StepClass::inaccurate ? inaccurate : unstable) += 1;
     const std::string said = verdict(cell);
     if (said == "as predicted") foretold += 1;
     if (said == "not as predicted" || said == "no prediction") otherwise += 1;
     if (said == "too slow to be seen") slow += 1;
     if (said == "at the limit") at_limit += 1;
-    if (cell.energy > energy) energy = cell.energy, of_energy = {&mapped, cell};
-    if (std::isnan(over) || cell.energy / cell.bound > over) over = cell.energy / cell.bound, of_over = {&mapped, cell};
+    if (cell.energy > energy) energy = cell.energy, bar_of_energy = bar;
+    if (std::isnan(over) || cell.energy / cell.bound > over)
+      over = cell.energy / cell.bound, bar_of_over = bar / cell.bound;
   }
   // What grows more than tenfold over the run hides the order, and is past its limit (harness/study/instability.h).
   void keep_error(const StepCell& cell, double duration) {
@@ -233,14 +228,14 @@ std::vector<Finding> stability_map(const AnalysisContext& context) {
       const double limit = predicted_limit(mapped, integrator.name);
       for (const double dt : dts) {
         const StepCell cell = step_cell(mapped, integrator, dt, steps_of_vibration);
-        sum.add(cell, mapped);
+        const double bar = std::isfinite(cell.energy) ? bar_of_energy(mapped, integrator, cell) : nan;
+        sum.add(cell, bar);
         if (&mapped == &all.reduced.back()) sum.keep_error(cell, duration);
-        if (whole) of_whole.add(cell, mapped), of_whole.keep_error(cell, duration);
+        if (whole) of_whole.add(cell, bar), of_whole.keep_error(cell, duration);
         map.rows.push_back({integrator.name, count(mapped.modes.omega.size()), whole ? "full order" : "modes", dt,
                             dt / limit, cell.radius, cell.energy, cell.error, to_string(cell.found), limit,
                             verdict(cell)});
-        bar_last_row(map, {{"error", bar_of_error(cell, *context.scene)}});
-        if (std::isfinite(cell.energy)) bar_last_row(map, {{"energy", bar_of_energy(mapped, integrator, cell)}});
+        bar_last_row(map, {{"energy", bar}, {"error", bar_of_error(cell, *context.scene)}});
       }
     };
     const std::vector<double> in_modes = steps_in_modes(all, integrator.name, steps, duration);
@@ -252,10 +247,9 @@ std::vector<Finding> stability_map(const AnalysisContext& context) {
           false);
     const auto& whole = integrator.conditionally_stable ? all.explicitly : all.implicit;
     if (whole) add(*whole, steps_of_whole(*whole, integrator.name, steps, duration), true);
-    const auto summarise = [&summary, &integrator](const Summary& of, const std::string& name) {
+    const auto summarise = [&summary](const Summary& of, const std::string& name) {
       summary.rows.push_back(of.row(name));
-      bar_last_row(summary, {{"energy over its bound", of.of_over.bar(integrator) / of.of_over.cell.bound}});
-      if (std::isfinite(of.energy)) bar_last_row(summary, {{"largest energy", of.of_energy.bar(integrator)}});
+      bar_last_row(summary, {{"largest energy", of.bar_of_energy}, {"energy over its bound", of.bar_of_over}});
     };
     summarise(sum, integrator.name);
     if (whole) summarise(of_whole, integrator.name + ", full order");

@@ -29,11 +29,11 @@ struct OnAnotherMesh {
 };
 OnAnotherMesh on_another_mesh(const AnalysisContext& context) {
   const Scene& scene = *context.scene;
-  const auto [mesh, bar_per_distance] = another_mesh(scene);
+  const Resolution mesh = another_mesh(scene).meshes;
   TruthSet truth = context.truth;
   truth.same_mesh = truth.loose = mesh == scene.truth.finer ? truth.finer : truth.coarser;
   return {std::make_shared<const Scene>(on_meshes(scene, mesh)), std::move(truth),
-          PerDistance(bar_per_distance, strain_bar_per_distance(scene))};
+          own_bars_per_distance(scene, context.truth)};
 }
 
 double number(const FindingCell& cell) { return cell.index() == 1 ? std::get<double>(cell) : nan; }
@@ -153,7 +153,7 @@ void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighb
 
 void bar_fits(Finding& finding) {
   for (std::size_t j = 1; j < finding.columns.size(); ++j) {
-    if (finding.columns[j].name != "standard error") continue;
+    if (!finding.columns[j].name.starts_with("standard error")) continue;  // "of time", of several
     if (finding.bars.empty()) finding.bars.assign(finding.rows.size(), std::vector(finding.columns.size(), nan));
     for (std::size_t i = 0; i < finding.rows.size(); ++i)
       finding.bars[i][j - 1] = std::fmax(finding.bars[i][j - 1], number(finding.rows[i][j]));
@@ -165,7 +165,7 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
   if (analysis.of_truth && context.scene->contacts.empty()) {
     const TruthSet neighbour = neighbour_of(context.truth);
     add_bars(findings, analysis.run({context.scene, context.catalogue, neighbour, context.model}),
-             bars_per_distance(*context.scene));
+             context.truth.per_distance);
   }
   if (analysis.of_mesh) {
     const OnAnotherMesh other = on_another_mesh(context);

@@ -1,7 +1,7 @@
 // What an analysis finds, with what it is held to and an error bar beside every number that follows from the truth of
 // the case or from the body's mesh: 5/4 of the distance of the same tables told of the truth's neighbour, `coarser` in
 // the place of `finer` and rtol in that of rtol/100 (harness/study/truth.h), or twice that to `finer` in the place of
-// the body's mesh (another_mesh), the larger of both; more where strain is seen, or the meshes are near each other
+// the body's mesh (another_mesh), the larger of both; more where errors need not fall as far
 // (harness/study/mesh_bar.h).
 #pragma once
 
@@ -26,10 +26,11 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
 // "undamped mode", from the first, rows are those of modes that move alike, where `elastic` says which: the largest bar
 // of several, and of several rows of a mode the one in the same place; rows in the same place where the other table has
 // none of these modes.
-void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours,
-              PerDistance per_distance = PerDistance(safety_of_meshes), const ElasticPairs* elastic = nullptr);
+void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, PerDistance per_distance,
+              const ElasticPairs* elastic = nullptr);
 
-// A column "standard error" becomes the bar of the fit in the column before it, unless that has a larger one.
+// A column "standard error" or "standard error of ..." becomes the bar of the fit in the column before it, unless that
+// has a larger one.
 void bar_fits(Finding& finding);
 
 }  // namespace mb

@@ -13,6 +13,7 @@
 #include "harness/store/file.h"
 #include "harness/study/current_records.h"
 #include "reports/content.h"
+#include "reports/publish.h"
 
 namespace mb {
 
@@ -100,13 +101,14 @@ std::string nothing_to_report(const Known& known, const ReportOptions& options) 
 }
 
 // Of two reports at once into one folder, as of two stores, either is there as a whole in the end.
-std::vector<std::filesystem::path> write_alone(const ReportInput& input, const std::filesystem::path& directory) {
+std::vector<std::filesystem::path> publish_alone(std::vector<ReportFile> files,
+                                                 const std::filesystem::path& directory) {
   std::optional<FolderLock> lock;
   try {
     lock.emplace(directory);
   } catch (const StoreError&) {  // what keeps it from being written is told where it is
   }
-  return write_report(input, directory);
+  return publish(std::move(files), directory);
 }
 
 }  // namespace
@@ -123,7 +125,7 @@ int report_command(const ReportOptions& options, const Catalogue& catalogue, con
   input.findings = std::move(stored.findings);
   for (const RefusedLine& line : stored.refused) input.damaged.push_back(to_string(line));
   input.environment = input.records.empty() ? provenance("none") : input.records.front().provenance;
-  const auto files = write_alone(input, options.directory);
+  const auto files = publish_alone(report_files(input), options.directory);
   for (const auto& file : files) fmt::print(console.out, "{}\n", file.string());
   if (!page_available() && !options.quiet)
     fmt::print(console.err,

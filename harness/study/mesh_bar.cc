@@ -6,19 +6,30 @@
 #include <string_view>
 #include <tuple>
 
+#include "mechanics/history/history.h"
+
 namespace mb {
 
 namespace {
 
-constexpr double regular = 1;  // [-] order where loads and contacts end
+constexpr double regular = 1;      // [-] order where loads and contacts end
+constexpr double of_fronts = 0.5;  // [-] of strain that jumps
 
-double order_of_strain(const Body& body) {
-  const auto clamps = [](const Support& s) {
-    return s.kind == Support::Kind::fixed || s.kind == Support::Kind::driven;
-  };
+bool is_clamped(const Scene& scene, const Body& body) {
+  return std::ranges::any_of(
+             body.supports,
+             [](const Support& s) { return s.kind == Support::Kind::fixed || s.kind == Support::Kind::driven; }) ||
+         std::ranges::any_of(scene.contacts, [&](const ContactPair& pair) {
+           return pair.friction > 0 && (pair.body == body.name || pair.obstacle == body.name);
+         });
+}
+
+double order_of_modes(const Scene& scene, const Body& body) {
   if (body.theory != Theory::solid) return regular;
-  if (std::ranges::none_of(body.supports, clamps) && body.material.inclusions.empty()) return regular;
-  return order_at_a_clamp(body.material.orthotropy ? 0.5 : body.material.poissons_ratio);
+  double least = body.material.inclusions.empty() ? regular : order_at_a_soft_part;
+  if (is_clamped(scene, body))
+    least = std::min(least, order_at_a_clamp(body.material.orthotropy ? 0.5 : body.material.poissons_ratio));
+  return least;
 }
 
 }  // namespace
@@ -38,10 +49,22 @@ double order_at_a_clamp(double poissons_ratio) {
   return high;
 }
 
-double order_of_strain(const Scene& scene) {
+double order_of_modes(const Scene& scene) {
   double least = regular;
-  for (const Body& body : scene.bodies) least = std::min(least, order_of_strain(body));
+  for (const Body& body : scene.bodies) least = std::min(least, order_of_modes(scene, body));
   return least;
+}
+
+double order_of_motion(const Scene& scene) {
+  const auto passes_on = [&](const std::string& name) {
+    return std::ranges::any_of(scene.bodies,
+                               [&](const Body& body) { return body.name == name && !(body.damping.beta > 0); });
+  };
+  const bool fronts = std::ranges::any_of(scene.loads, [&](const Load& load) {
+    return std::ranges::any_of(load.tractions, [&](const Traction& on) { return passes_on(on.body); }) &&
+           jumps(load.history, scene.duration);
+  });
+  return fronts ? std::min(of_fronts, order_of_modes(scene)) : order_of_modes(scene);
 }
 
 bool is_of_least_order(const Metric& metric) {
@@ -57,7 +80,7 @@ double bar_per_distance(const Resolution& finer, const Resolution& coarser, doub
 
 PerDistance bars_per_distance(const Scene& scene) {
   const auto& [finer, coarser] = std::tie(scene.truth.finer, scene.truth.coarser);
-  const double p = order_of_strain(scene);
+  const double p = order_of_motion(scene);
   return {bar_per_distance(finer, coarser, 2 * p), bar_per_distance(finer, coarser, p)};
 }
 

@@ -8,9 +8,11 @@
 //
 //   sin^2(p pi/2) = (4 (1 - nu)^2 - p^2) / (3 - 4 nu)      p = 1, 0.71, 0.59 of nu = 0, 0.3, 0.5     (Williams 1952)
 //
-// and so it is where a stiff part ends beside a soft one. Elsewhere loads that end within a face and contacts leave
-// p = 1. That is of strain in the K norm, and of displacement where it is largest, which may be there, or turns; in the
-// mean over a body, at probes and of frequencies p is twice as much.
+// and so it is where friction holds a face. At a corner of a soft part within a stiff one, as of a free edge of 270
+// degrees, p = 0.544 whatever the ratio; corners of stiff parts have more. A load that jumps sends fronts through a
+// body without stiffness damping, across which strain jumps: p = 1/2. Elsewhere loads that end within a face and
+// contacts without friction leave p = 1. That is of strain in the K norm, and of displacement where it is largest,
+// which may be there, or turns; in the mean over a body, at probes and of frequencies p is twice as much.
 #pragma once
 
 #include "cases/scene/refinement.h"
@@ -22,7 +24,9 @@ namespace mb {
 constexpr double safety_of_meshes = 1.25;  // [-] F at least
 
 double order_at_a_clamp(double poissons_ratio);  // [-] p in (0.59, 1]; of ratios below 0: 1
-double order_of_strain(const Scene& scene);      // [-] p, that of the body where it is least
+constexpr double order_at_a_soft_part = 0.544;   // [-] p
+double order_of_modes(const Scene& scene);       // [-] p of static answers and modes, of the body where it is least
+double order_of_motion(const Scene& scene);      // [-] p, fronts with it
 bool is_of_least_order(const Metric& metric);    // of that p, not of twice as much
 
 // [-] F, >= 5/4. Infinite where q <= 1: two such meshes tell nothing.
@@ -34,6 +38,6 @@ struct PerDistance {
   PerDistance(double of_mean, double of_local) : mean(of_mean), local(of_local) {}
   explicit PerDistance(double of_both) : PerDistance(of_both, of_both) {}
 };
-PerDistance bars_per_distance(const Scene& scene);  // F of its truths' meshes
+PerDistance bars_per_distance(const Scene& scene);  // F of its truths' motions on their meshes
 
 }  // namespace mb

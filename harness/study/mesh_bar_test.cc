@@ -33,12 +33,31 @@ TEST(MeshBar, IsOfTheBodyWithTheLeastOrder) {
   const auto order = [](std::vector<Body> bodies) {
     Scene scene{};
     scene.bodies = std::move(bodies);
-    return order_of_strain(scene);
+    return order_of_modes(scene);
   };
   EXPECT_EQ(order({free, sliding, plate}), 1);
   EXPECT_EQ(order({free, held}), order_at_a_clamp(0.3));
-  EXPECT_EQ(order({held, soft}), order_at_a_clamp(0.45));
+  EXPECT_EQ(order({held, soft}), order_at_a_soft_part);
   EXPECT_EQ(order({grained}), order_at_a_clamp(0.5));
+  Scene sticking{};
+  sticking.bodies = {free}, sticking.bodies[0].name = "foot";
+  sticking.contacts = {{.body = "foot", .obstacle = "floor", .stiffness = 0}};
+  EXPECT_EQ(order_of_modes(sticking), 1);
+  sticking.contacts[0].friction = 0.3;
+  EXPECT_EQ(order_of_modes(sticking), order_at_a_clamp(0.45));
+}
+
+TEST(MeshBar, IsThatOfFrontsWhereALoadJumpsAndNoStiffnessDampingSmoothsThem) {
+  Scene scene{};
+  scene.duration = 1;
+  scene.bodies = {{"rod", Box{{1, 1, 1}}, {1e6, 0.3, 1000, {}}, {}, {}, {2, {1, 1, 1}}, {}}};
+  scene.loads = {{"push", Pulse{0.5}, {{"rod", {}, {0, 0, 1}}}}};
+  EXPECT_EQ(order_of_motion(scene), 1);
+  scene.loads[0].history = Step{};
+  EXPECT_EQ(order_of_motion(scene), 0.5);
+  EXPECT_EQ(order_of_modes(scene), 1);
+  scene.bodies[0].damping.beta = 1e-4;
+  EXPECT_EQ(order_of_motion(scene), 1);
 }
 
 TEST(MeshBar, IsAQuarterMoreThanWhatTwoMeshesTell) {

@@ -15,7 +15,6 @@
 #include "harness/study/estimate.h"
 #include "harness/study/identity.h"
 #include "harness/study/memory.h"
-#include "harness/study/mesh_bar.h"
 #include "harness/study/storable.h"
 #include "mechanics/algebra/threads.h"
 #include "modal/bases/eigenmodes.h"
@@ -208,6 +207,7 @@ std::optional<TruthSet> truths(const std::shared_ptr<const Scene>& scene, const 
   // What they differ by is in their distance.
   const double lack = missing_volume(*scene, t.finer);
   set.missing_volume = std::max(0.0, lack - std::abs(missing_volume(*scene, t.coarser) - lack));
+  set.per_distance = bars_per_distance(*scene);
   if (!t.exact.empty()) {
     const ExactSolution& solution = exact_solution(t.exact);
     set.exact = solution.at(*scene, evaluation_points(*scene, scene->bodies.front()), sample_times(*scene));
@@ -228,7 +228,7 @@ double error_bar(const Metric& metric, const TruthSet& truth, TruthKind kind, co
   if (kind == TruthKind::exact) return truth.exact_bar * truth_size(metric, truth.of(kind), context);
   const double time = distance(metric, truth.loose, truth.same_mesh, context);
   if (kind == TruthKind::same_mesh) return time;
-  const PerDistance F = bars_per_distance(context.scene);
+  const PerDistance& F = truth.per_distance;
   const double mesh =
       (is_of_least_order(metric) ? F.local : F.mean) * distance(metric, truth.coarser, truth.finer, context) +
       of_missing_mass(metric, truth, context);

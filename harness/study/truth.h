@@ -23,6 +23,7 @@
 #include "harness/catalogue.h"
 #include "harness/metrics/metric.h"
 #include "harness/store/store.h"
+#include "harness/study/mesh_bar.h"
 
 namespace mb {
 
@@ -32,6 +33,7 @@ struct TruthSet {
   std::optional<Trajectory> exact;  // where the scene names a closed form
   double exact_bar = 0;             // [-] of its series, relative to its largest displacement
   double missing_volume = 0;        // [-] that both meshes lack
+  PerDistance per_distance{safety_of_meshes};  // of `coarser` and `finer`
   const Trajectory& of(TruthKind kind) const;  // throws std::logic_error where there is none of that kind
 };
 

@@ -78,7 +78,6 @@ struct AgreeingTruths : PulsedSphere {
     truth.finer = truth.coarser = truth.same_mesh = truth.loose = *truth.exact;
     truth.exact.reset();
     truth.missing_volume = 0.01;
-    scene.truth.finer = {3, {2}}, scene.truth.coarser = {2, {2}};
   }
   double of_finer(const std::string& name, Index probe = -1) const {
     return error_bar(metric(name), truth, TruthKind::finer, {scene, 0, points, true, probe});

@@ -82,6 +82,10 @@ std::function<double(double)> evaluator(const History& history);
 // Times in (0, duration) where s, s' or s'' may jump, ascending: adaptive steps end there. None of an expression.
 std::vector<double> breakpoints(const History& history, double duration);
 
+// Whether s jumps in [0, duration), from 0 at the start or between two segments, by more than a ten-thousandth of its
+// peak: less may be what resampling leaves.
+bool jumps(const History& history, double duration);
+
 // tolerance [-]: largest load_error; only chirp and expression use it.
 // Throws std::domain_error where the history is not finite or cannot be resampled within 100,000 pieces, and
 // std::invalid_argument (as do breakpoints and peak) where an argument or a number of the history is out of range.

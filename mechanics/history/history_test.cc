@@ -209,5 +209,19 @@ TEST(HistoryTest, BadInput) {
   EXPECT_THROW(value(Expression{"sqrt(-t)"}, 1), std::domain_error);
 }
 
+TEST(Jumps, AreThoseOfTheValueAndNotOfItsRate) {
+  EXPECT_TRUE(jumps(Step{}, 1));
+  EXPECT_TRUE(jumps(Step{.amplitude = -2, .start = 0.5}, 1));
+  EXPECT_FALSE(jumps(Step{.amplitude = 1, .start = 2}, 1));  // not yet
+  EXPECT_FALSE(jumps(Pulse{0.5}, 1));
+  EXPECT_FALSE(jumps(Ramp{0.5}, 1));
+  EXPECT_FALSE(jumps(Harmonic{20}, 1));
+  EXPECT_TRUE(jumps(Harmonic{.omega = 20, .phase = 1}, 1));
+  EXPECT_FALSE(jumps(Table{{0, 0.5, 1}, {0, 1, 0}}, 1));
+  EXPECT_TRUE(jumps(Table{{0, 0.5, 0.7}, {0, 1, 1}}, 1));  // zero after the last
+  EXPECT_FALSE(jumps(Expression{"sin(20*t)"}, 1));
+  EXPECT_TRUE(jumps(Expression{"cos(20*t)"}, 1));
+}
+
 }  // namespace
 }  // namespace mb

@@ -185,6 +185,16 @@ double end(const History& history, double duration) {
   return last == pieces.rend() ? 0 : last->end;
 }
 
+bool jumps(const History& history, double duration) {
+  const double least = 1e-4 * peak(history, duration);
+  double before = 0;
+  for (const Segment& piece : segments(history, duration).pieces) {
+    if (std::abs(value(piece, piece.start) - before) > least) return true;
+    before = value(piece, piece.end);
+  }
+  return false;
+}
+
 double peak(const History& history, double duration) {
   check(history, duration);
   return std::visit([duration](const auto& h) { return largest(h, duration); }, history);
