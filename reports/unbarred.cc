@@ -157,14 +157,12 @@ Sheet unbarred_columns(const std::vector<Finding>& findings) {
       .name = "unbarred",
       .title = "Numbers without a bar",
       .note = "Numbers of analyses' tables that have no error bar beside them, by column, and why they need none.",
-      and why they need
-              none.",
-                  .columns = {{"table", ""},
-                              {"column", ""},
-                              {"unit", ""},
-                              {"numbers", "", Column::Kind::number},
-                              {"without a bar", "", Column::Kind::number},
-                              {"why", ""}},
+      .columns = {{"table", ""},
+                  {"column", ""},
+                  {"unit", ""},
+                  {"numbers", "", Column::Kind::number},
+                  {"without a bar", "", Column::Kind::number},
+                  {"why", ""}},
       .rows = {},
       .n_keys = 2};
   for (const auto& [of, numbers] : columns)
