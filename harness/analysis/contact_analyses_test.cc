@@ -51,7 +51,7 @@ stiffness = "auto"
 [truth]
 relative_tolerance = 1e-4
 finer = { degree = 2, cells = [1], graded = 1 }
-coarser = { degree = 1, cells = [1] }
+coarser = { degree = 2, cells = [1] }
 [study]
 methods = ["eigenmodes", "static-correction"]
 modes = [8]

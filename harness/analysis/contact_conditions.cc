@@ -43,8 +43,7 @@ Finding conditions_table() {
       "the value, of the start over the duration of the first contact, by that hundredth. Of the first "
       "contact alone it is about 0.4 at most in size (on a wall F ~ k^(2/5), Hertz); what it has more afterwards the "
       "motion in between has made. Bars: 5/4 of what steps twice as long, or ten times the tolerance, move, or as much "
-      "more as truths "
-      "have of near meshes. Empty: the same contact is not there again.",
+      "more as truths have of near meshes. Empty: the same contact is not there again.",
       {{"contact", ""},
        {"contender", ""},
        {"modes r", ""},

@@ -40,7 +40,8 @@ struct Metric {
   const char* whole = nullptr;
   double (*share)(const Trajectory& truth, const MetricContext& context) = nullptr;
   double per_mass = 1;  // [-] what a relative error of the truth's mass may come to at most, by size
-  // Divided by the truth's own size: an error d of that moves a value e by d (1 + |e|) at most, to first order.
+  // Divided by the truth's own size: where that is off by d < 1 of itself, a value e is so by d (1 + |e|)/(1 - d) at
+  // most. Where d >= 1 nobody knows whether there is anything to be relative to.
   bool relative = false;
 };
 inline Metric relative(Metric metric) {

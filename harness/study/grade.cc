@@ -1,5 +1,7 @@
 #include "harness/study/grade.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -17,16 +19,21 @@ std::vector<TruthKind> known_truths(const TruthSet& truth) {
 }
 
 // A number of which nobody can say how uncertain it is is none.
-void put_bar(Record& record, double bar) {
-  if (std::isfinite(bar))
+void put_bar(Record& record, double bar, const char* why = "the truth's neighbour has no such number") {
+  if (std::isfinite(bar)) {
     record.error_bar = bar;
-  else if (record.status == "ok")
-    record.status = "undefined: the truth's neighbour has no such number";
+  } else if (record.status == "ok") {
+    record.status = fmt::format("undefined: {}", why);
+    record.value = std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
-// Of a value of this metric, where the truth may be off by `bar`.
-double at_value(double bar, const Metric& metric, double value) {
-  return metric.relative && std::isfinite(value) ? bar * (1 + std::abs(value)) : bar;
+// Of a value of this metric, where the truth may be off by `bar` (Metric::relative).
+void put_bar_of(const Metric& metric, Record& record, double bar) {
+  if (!metric.relative || !std::isfinite(record.value) || !std::isfinite(bar)) return put_bar(record, bar);
+  if (bar >= 1)
+    return put_bar(record, std::numeric_limits<double>::infinity(), "the truth may be zero as far as is known");
+  put_bar(record, bar * (1 + std::abs(record.value)) / (1 - bar));
 }
 
 std::vector<bool> finite_bodies(const Trajectory& answer, size_t n) {
@@ -102,8 +109,7 @@ std::vector<Record> Grader::marks(const Record& base, const Trajectory& answer) 
       if (subject.metric.of_truth_alone) continue;
       if (subject.metric.of_answer_alone && kind != TruthKind::finer) continue;
       Record record = marked(base, subject, kind, answer, truth_.of(kind), {finite, finite_truths_.at(kind)});
-      if (const auto bar = bars_.find({i, kind}); bar != bars_.end())
-        put_bar(record, at_value(bar->second, subject.metric, record.value));
+      if (const auto bar = bars_.find({i, kind}); bar != bars_.end()) put_bar_of(subject.metric, record, bar->second);
       records.push_back(std::move(record));
     }
   return records;
@@ -117,7 +123,7 @@ std::vector<Record> Grader::marks_of_steps(const Record& base, const Trajectory&
     if (subject.metric.of_truth_alone || subject.metric.of_answer_alone) continue;
     Record record = marked(base, subject, TruthKind::same_modes, answer, closed_form, finite);
     const double bar = load_error * truth_size(subject.metric, closed_form, subject.context);
-    put_bar(record, at_value(bar, subject.metric, record.value));
+    put_bar_of(subject.metric, record, bar);
     records.push_back(std::move(record));
   }
   return records;

@@ -51,8 +51,12 @@ TEST_F(UnstableRunCases, LeaveRecordsWithoutValuesAndNoTrajectory) {
     const auto& [method, integrator, resolution, settings] = record.contender;
     const bool beyond = (integrator == "symplectic-euler" && settings.time_step > 1e-2) ||
                         (integrator == "explicit-euler" && settings.time_step > 1e-4);
-    EXPECT_EQ(record.status, beyond ? "unstable" : "ok") << record.metric << " " << integrator << settings.time_step;
-    EXPECT_EQ(std::isnan(record.value), beyond) << record.metric;
+    const bool unknown =
+        record.metric == "probe-von-mises" && record.truth == "finer";  // two meshes differ by all of it
+    if (beyond || !unknown) {
+      EXPECT_EQ(record.status, beyond ? "unstable" : "ok") << record.metric << " " << integrator << settings.time_step;
+    }
+    EXPECT_EQ(std::isnan(record.value), beyond || unknown) << record.metric;
     if (record.contender.integrator == "sundials") continue;  // the truth's own marks
     EXPECT_EQ(store.has_trajectory(record.run), !beyond) << record.metric << " " << integrator << settings.time_step;
     ++(beyond ? n_unstable : n_ok);
