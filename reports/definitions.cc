@@ -30,9 +30,10 @@ constexpr std::pair<const char*, const char*> words[] = {
      "seven blocks. Graded 3: cells near the first touch of a contact are halved up to 3 times. Beams and plates by "
      "theory have no mesh: 7x7 half waves, along x and y."},
     {"error bar",
-     "How far the truth itself may be off, by the same metric. An error below it prints as <= bar. Where runs are "
-     "compared with each other it counts as the bar; where an error is compared with a bound or the 1 % target, error "
-     "and bar together must be within it."},
+     "How far the truth itself may be off, by the same metric. An error below it prints as <= error + bar, what it may "
+     "be at most. Where runs are compared with each other it counts as the bar; where an error is compared with a "
+     "bound "
+     "or the 1 % target, error and bar together must be within it."},
     {"r",
      "Elastic modes asked for; rigid modes always stay. Modes of equal frequency are kept whole, so that the "
      "number used may be larger: both are recorded."},

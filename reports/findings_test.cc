@@ -56,7 +56,7 @@ TEST(Findings, BarsStandBesideTheirNumbersAndSayWhatTheyAreHeldTo) {
   EXPECT_THAT(csv(table), HasSubstr("1.25e-05,2e-07,"));
   EXPECT_THAT(csv(table), HasSubstr(",,unbounded,5"));
   finding.bars[0][1] = 1e-4;
-  EXPECT_EQ(sheet_of(finding).rows[0][1].text, "<= 1.0e-4");
+  EXPECT_EQ(sheet_of(finding).rows[0][1].text, "<= 1.1e-4");
   finding.bars[0][1] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(sheet_of(finding).rows[0][1].text, "1.25e-5 \u00b1 unknown");
   EXPECT_THAT(csv(sheet_of(finding)), HasSubstr("1.25e-05,,bar unknown,"));

@@ -33,7 +33,7 @@ std::string exact_number(double value) { return std::isfinite(value) ? fmt::form
 std::string format_with_bar(double value, std::optional<double> bar) {
   if (!bar || !(*bar > 0)) return format_number(value);
   if (std::isinf(*bar)) return format_number(value) + " \u00b1 unknown";
-  if (std::abs(value) < *bar) return "<= " + format_number(*bar, 2);
+  if (std::abs(value) < *bar) return "<= " + format_number(std::abs(value) + *bar, 2);
   return format_number(value, std::clamp(decade(value) - decade(*bar) + 1, 1, 3));
 }
 

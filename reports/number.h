@@ -20,7 +20,7 @@ std::string format_setting(double value);
 // Shortest decimal that reads back to the same double; "" where not finite.
 std::string exact_number(double value);
 
-// No more digits than the bar supports (1 to 3); "<= bar" where |value| is below it; "value +- unknown", with its
+// No more digits than the bar supports (1 to 3); "<= |value| + bar" where |value| is below it; "value +- unknown", with its
 // sign, where it is infinite.
 std::string format_with_bar(double value, std::optional<double> bar);
 

@@ -31,9 +31,9 @@ struct Record {
   std::string metric;   // a name of the metric catalogue
   std::string subject;  // body or probe that was measured, or ""
   std::string truth;    // "finer", "same_mesh", "exact", "same_modes", or "" where the metric needs none (times)
-  double value = 0;     // where not finite stored as null, and then with a status other than "ok"
+  double value = 0;     // stored as null where it is not finite, and then with a status other than "ok", or undefined
   std::string unit;
-  std::optional<double> error_bar;  // same unit; a value below it prints as "<= bar"
+  std::optional<double> error_bar;  // same unit; a smaller value prints as "<= value + bar"
   std::string status;               // "ok", "unstable", "unstable: ..." (steps beyond the integrator's limit:
                                     // status.h), "not_finite", "no_convergence", "too_many_steps", "undefined: ...",
                                     // "failed: ..."

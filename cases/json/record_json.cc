@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/contract/status.h"
 #include "cases/json/json.h"
 #include "cases/json/members.h"
 #include "cases/scene/printable.h"
@@ -145,6 +146,7 @@ void add(Json& json, const Resolution& mesh) {
 
 Json to_json(const Record& record) {
   const bool finite = std::isfinite(record.value);
+  const bool is_number = finite && !is_undefined(record.status);
   const bool has_bar = record.error_bar && std::isfinite(*record.error_bar);
   Json json;
   json["schema"] = record_schema;
@@ -160,7 +162,7 @@ Json to_json(const Record& record) {
   json["metric"] = record.metric;
   json["subject"] = record.subject;
   json["truth"] = record.truth;
-  json["value"] = finite ? Json(record.value) : Json(nullptr);
+  json["value"] = is_number ? Json(record.value) : Json(nullptr);
   json["unit"] = record.unit;
   json["error_bar"] = has_bar ? Json(*record.error_bar) : Json(nullptr);
   json["status"] = !finite && record.status == "ok" ? "not_finite" : one_line(record.status, max_status);

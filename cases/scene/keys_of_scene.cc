@@ -168,6 +168,8 @@ const std::vector<KeyGroup>& scene_keys() {
          "as many as t; linear between, zero outside; [m/s^2] of an acceleration", ""},
         {"history.file", "a text of at most 255 bytes", "", "", "none",
          "a path below the case's folder: lines `t, s`, comments with `#`, an optional header, at most 1 MiB", ""},
+        {"history.rows", "an integer", "[2, 10000]", "", "none",
+         "of `file`: one with more or less was cut, or is another, and is refused", ""},
         {"history.formula", "a text of at most 256 bytes", "", "", "required for expression",
          "in `t` [s] and `pi`; finite and at most 1e6 throughout, which bounds over intervals of time must show: a "
          "formula whose terms nearly cancel may be refused; no assignment, `==` or `!=`",

@@ -111,9 +111,15 @@ std::optional<NamedTable> table_of_file(Section& section, const HistoryContext& 
       section.error(key, fmt::format("a table has either 'file' or 't' and 's', not '{}' as well", key));
   }
   if (!file) return std::nullopt;
+  const auto rows = section.has("rows") ? section.integer("rows", {2, most_entries}) : std::nullopt;
   NamedTable named{read_table_file(context.folder, *file, most_entries), "file", *file};
-  if (named.read.problem.empty()) return named;
-  section.error("file", named.read.problem);
+  const std::size_t n = named.read.table.t.size();
+  if (!named.read.problem.empty())
+    section.error("file", named.read.problem);
+  else if (rows && n != static_cast<std::size_t>(*rows))
+    section.error("rows", fmt::format("'{}' has {} entries, not {}: it may be cut", printable(*file, 255), n, *rows));
+  else
+    return named;
   return std::nullopt;
 }
 

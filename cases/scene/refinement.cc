@@ -23,12 +23,12 @@ double least_ratio(const Resolution& finer, const Resolution& coarser) {
 
 }  // namespace
 
-double fall_of_body(const Resolution& finer, const Resolution& coarser, double order) {
-  return std::pow(least_ratio(finer, coarser), order) *
-         std::pow(static_cast<double>(finer.degree) / coarser.degree, 2 * order);
+double fall_of_body(const Resolution& finer, const Resolution& coarser, const Order& order) {
+  return std::pow(least_ratio(finer, coarser), order.in_size) *
+         std::pow(static_cast<double>(finer.degree) / coarser.degree, order.in_degree);
 }
 
-double fall_of_errors(const Resolution& finer, const Resolution& coarser, double order) {
+double fall_of_errors(const Resolution& finer, const Resolution& coarser, const Order& order) {
   double fall = fall_of_body(finer, coarser, order);
   for (std::size_t i = 0; i < std::min(finer.others.size(), coarser.others.size()); ++i)
     fall = std::min(fall, fall_of_body(finer.others[i], coarser.others[i], order));

@@ -89,7 +89,7 @@ VectorXd paired_frequencies(const SeenModes& own, const SeenModes& other) {
 namespace {
 
 // [-] Of the own mesh by its distance to `finer`.
-double bar_of_own(const Scene& scene, double order) {
+double bar_of_own(const Scene& scene, const Order& order) {
   const double fall = fall_of_errors(scene.truth.finer, own_meshes(scene), order);
   if (!(fall > 1)) return std::numeric_limits<double>::infinity();
   return std::max(2.0, safety_of_meshes * fall / (fall - 1));
@@ -105,8 +105,8 @@ AnotherMesh another_mesh(const Scene& scene) {
 
 PerDistance own_bars_per_distance(const Scene& scene, const TruthSet& truth) {
   if (scene.truth.finer == own_meshes(scene)) return truth.per_distance;
-  const double p = order_of_motion(scene);
-  return {bar_of_own(scene, 2 * p), bar_of_own(scene, p)};
+  const auto [local, mean] = orders_of_motion(scene);
+  return {bar_of_own(scene, mean), bar_of_own(scene, local)};
 }
 
 std::vector<int> mode_counts(const AnalysisContext& context) {

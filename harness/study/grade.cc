@@ -22,9 +22,8 @@ std::vector<TruthKind> known_truths(const TruthSet& truth) {
 void put_bar(Record& record, double bar, const char* why = "the truth's neighbour has no such number") {
   if (std::isfinite(bar)) {
     record.error_bar = bar;
-  } else if (record.status == "ok") {
+  } else if (record.status == "ok") {  // its value, which is not stored, still tells of an answer that ran away
     record.status = fmt::format("undefined: {}", why);
-    record.value = std::numeric_limits<double>::quiet_NaN();
   }
 }
 
@@ -32,7 +31,8 @@ void put_bar(Record& record, double bar, const char* why = "the truth's neighbou
 void put_bar_of(const Metric& metric, Record& record, double bar) {
   if (!metric.relative || !std::isfinite(record.value) || !std::isfinite(bar)) return put_bar(record, bar);
   if (bar >= 1)
-    return put_bar(record, std::numeric_limits<double>::infinity(), "the truth may be zero as far as is known");
+    return put_bar(record, std::numeric_limits<double>::infinity(),
+                   "what the truth may be off by is as large as what it has there");
   put_bar(record, bar * (1 + std::abs(record.value)) / (1 - bar));
 }
 

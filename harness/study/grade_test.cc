@@ -6,6 +6,8 @@
 
 #include "cases/exact/exact.h"
 #include "cases/exact/exact_test_scenes.h"
+#include "cases/json/record_json.h"
+#include "harness/study/instability.h"
 
 namespace mb {
 namespace {
@@ -52,9 +54,17 @@ TEST(Grade, OfAnErrorRelativeToTheTruthTheBarHoldsThatOfTheTruthsSizeToo) {
 
 TEST(Grade, OfATruthThatMayBeZeroThereIsNoRelativeError) {
   const Record error = TwoMeshes(0.8).error_of(1.5);
-  EXPECT_EQ(error.status, "undefined: the truth may be zero as far as is known");
-  EXPECT_TRUE(std::isnan(error.value));
+  EXPECT_EQ(error.status, "undefined: what the truth may be off by is as large as what it has there");
   EXPECT_FALSE(error.error_bar.has_value());
+  EXPECT_TRUE(to_json(error)["value"].is_null());
+}
+
+// A truth of which little is known tells all the same of an answer that ran away.
+TEST(Grade, OfATruthThatMayBeZeroAnAnswerThatRanAwayIsUnstable) {
+  const std::vector<Record> marks{TwoMeshes(0.8).error_of(1e6)};
+  Integrator with_a_limit;
+  with_a_limit.conditionally_stable = true;
+  EXPECT_EQ(kept_limit(marks, with_a_limit, {}, 0), Limit::passed);
 }
 
 }  // namespace

@@ -12,8 +12,7 @@ namespace mb {
 
 namespace {
 
-constexpr double regular = 1;      // [-] order where loads and contacts end
-constexpr double of_fronts = 0.5;  // [-] of strain that jumps
+constexpr double regular = 1;  // [-] order where loads and contacts end
 
 bool is_clamped(const Scene& scene, const Body& body) {
   return std::ranges::any_of(
@@ -55,16 +54,37 @@ double order_of_modes(const Scene& scene) {
   return least;
 }
 
-double order_of_motion(const Scene& scene) {
+namespace {
+
+bool has_fronts(const Scene& scene) {
   const auto passes_on = [&](const std::string& name) {
     return std::ranges::any_of(scene.bodies,
                                [&](const Body& body) { return body.name == name && !(body.damping.beta > 0); });
   };
-  const bool fronts = std::ranges::any_of(scene.loads, [&](const Load& load) {
+  return std::ranges::any_of(scene.loads, [&](const Load& load) {
     return std::ranges::any_of(load.tractions, [&](const Traction& on) { return passes_on(on.body); }) &&
            jumps(load.history, scene.duration);
   });
-  return fronts ? std::min(of_fronts, order_of_modes(scene)) : order_of_modes(scene);
+}
+
+int least_degree(const Resolution& meshes) {
+  int least = meshes.degree;
+  for (const Resolution& other : meshes.others) least = std::min(least, other.degree);
+  return least;
+}
+
+Order least(const Order& a, const Order& b) {
+  return {std::min(a.in_size, b.in_size), std::min(a.in_degree, b.in_degree)};
+}
+
+}  // namespace
+
+Orders orders_of_motion(const Scene& scene) {
+  const double p = order_of_modes(scene);
+  if (!has_fronts(scene)) return {p, 2 * p};
+  const double n = std::min(least_degree(scene.truth.coarser), least_degree(own_meshes(scene)));
+  const double of_fronts = n / (2 * n + 1);
+  return {least(p, {of_fronts, of_fronts}), least(2 * p, {3 * of_fronts, 3 * of_fronts})};
 }
 
 bool is_of_least_order(const Metric& metric) {
@@ -73,15 +93,15 @@ bool is_of_least_order(const Metric& metric) {
          metric.name == "truth-rotation";
 }
 
-double bar_per_distance(const Resolution& finer, const Resolution& coarser, double order) {
+double bar_per_distance(const Resolution& finer, const Resolution& coarser, const Order& order) {
   const double fall = fall_of_errors(finer, coarser, order);
   return fall > 1 ? safety_of_meshes * std::max(1.0, 1 / (fall - 1)) : std::numeric_limits<double>::infinity();
 }
 
 PerDistance bars_per_distance(const Scene& scene) {
   const auto& [finer, coarser] = std::tie(scene.truth.finer, scene.truth.coarser);
-  const double p = order_of_motion(scene);
-  return {bar_per_distance(finer, coarser, 2 * p), bar_per_distance(finer, coarser, p)};
+  const auto [local, mean] = orders_of_motion(scene);
+  return {bar_per_distance(finer, coarser, mean), bar_per_distance(finer, coarser, local)};
 }
 
 }  // namespace mb

@@ -9,10 +9,15 @@
 //   sin^2(p pi/2) = (4 (1 - nu)^2 - p^2) / (3 - 4 nu)      p = 1, 0.71, 0.59 of nu = 0, 0.3, 0.5     (Williams 1952)
 //
 // and so it is where friction holds a face. At a corner of a soft part within a stiff one, as of a free edge of 270
-// degrees, p = 0.544 whatever the ratio; corners of stiff parts have more. A load that jumps sends fronts through a
-// body without stiffness damping, across which strain jumps: p = 1/2. Elsewhere loads that end within a face and
+// degrees, p = 0.544 whatever the ratio; corners of stiff parts have more. Loads that end within a face and
 // contacts without friction leave p = 1. That is of strain in the K norm, and of displacement where it is largest,
 // which may be there, or turns; in the mean over a body, at probes and of frequencies p is twice as much.
+//
+// A load that jumps sends fronts through a body without stiffness damping, across which strain jumps. Cells of degree n
+// carry short waves too slowly or too fast by (h/l)^2n, which widens a front to w ~ h^(2n/(2n+1)): strain is off by
+// w^1/2,
+//
+//   p = n/(2n + 1) < 1/2, s = p      and displacement, whose slope jumps, by w^3/2: 3 p
 #pragma once
 
 #include "cases/scene/refinement.h"
@@ -26,11 +31,15 @@ constexpr double safety_of_meshes = 1.25;  // [-] F at least
 double order_at_a_clamp(double poissons_ratio);  // [-] p in (0.59, 1]; of ratios below 0: 1
 constexpr double order_at_a_soft_part = 0.544;   // [-] p
 double order_of_modes(const Scene& scene);       // [-] p of static answers and modes, of the body where it is least
-double order_of_motion(const Scene& scene);      // [-] p, fronts with it
-bool is_of_least_order(const Metric& metric);    // of that p, not of twice as much
+// [-] Of motions, fronts with them: of strain and largest values, and of the mean.
+struct Orders {
+  Order local, mean;
+};
+Orders orders_of_motion(const Scene& scene);
+bool is_of_least_order(const Metric& metric);  // of that p, not of twice as much
 
 // [-] F, >= 5/4. Infinite where q <= 1: two such meshes tell nothing.
-double bar_per_distance(const Resolution& finer, const Resolution& coarser, double order);
+double bar_per_distance(const Resolution& finer, const Resolution& coarser, const Order& order);
 
 // Of numbers told once of each mesh.
 struct PerDistance {

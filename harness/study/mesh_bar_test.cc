@@ -52,12 +52,20 @@ TEST(MeshBar, IsThatOfFrontsWhereALoadJumpsAndNoStiffnessDampingSmoothsThem) {
   scene.duration = 1;
   scene.bodies = {{"rod", Box{{1, 1, 1}}, {1e6, 0.3, 1000, {}}, {}, {}, {2, {1, 1, 1}}, {}}};
   scene.loads = {{"push", Pulse{0.5}, {{"rod", {}, {0, 0, 1}}}}};
-  EXPECT_EQ(order_of_motion(scene), 1);
+  scene.truth.coarser = {3, {1, 1, 1}};
+  EXPECT_EQ(orders_of_motion(scene).local.in_size, 1);
   scene.loads[0].history = Step{};
-  EXPECT_EQ(order_of_motion(scene), 0.5);
+  const auto [local, mean] = orders_of_motion(scene);
+  EXPECT_EQ(local.in_size, 0.4);  // of the body's own degree 2: n/(2n + 1)
+  EXPECT_EQ(local.in_degree, 0.4);
+  EXPECT_DOUBLE_EQ(mean.in_size, 1.2);
+  EXPECT_DOUBLE_EQ(mean.in_degree, 1.2);
   EXPECT_EQ(order_of_modes(scene), 1);
+  scene.bodies[0].supports = {{Support::Kind::fixed, {}}};
+  EXPECT_EQ(orders_of_motion(scene).local.in_size, 0.4);
   scene.bodies[0].damping.beta = 1e-4;
-  EXPECT_EQ(order_of_motion(scene), 1);
+  EXPECT_EQ(orders_of_motion(scene).local.in_size, order_at_a_clamp(0.3));
+  EXPECT_EQ(orders_of_motion(scene).mean.in_degree, 4 * order_at_a_clamp(0.3));
 }
 
 TEST(MeshBar, IsAQuarterMoreThanWhatTwoMeshesTell) {
