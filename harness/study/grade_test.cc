@@ -6,6 +6,7 @@
 
 #include "cases/exact/exact.h"
 #include "cases/exact/exact_test_scenes.h"
+#include "cases/json/json.h"
 #include "cases/json/record_json.h"
 #include "harness/study/instability.h"
 
