@@ -8,16 +8,17 @@ namespace mb {
 
 namespace {
 
-// [-] of the sizes of cells, where they change; 1 where they do not.
+// [-] of the sizes of cells: along directions in which something changes, all where the degree does; 1 where nothing
+// does.
 double least_ratio(const Resolution& finer, const Resolution& coarser) {
   double least = std::numeric_limits<double>::infinity();
   const auto take = [&](double ratio) {
-    if (ratio != 1) least = std::min(least, ratio);
+    if (ratio != 1 || finer.degree != coarser.degree) least = std::min(least, ratio);
   };
   const auto across = [](int cells) { return cells > 0 ? cells : 0.5; };  // a disc of one block for five
   for (std::size_t i = 0; i < std::min(finer.cells.size(), coarser.cells.size()); ++i)
     take(across(finer.cells[i]) / across(coarser.cells[i]));
-  take(std::exp2(finer.graded - coarser.graded));
+  if (finer.graded != coarser.graded) take(std::exp2(finer.graded - coarser.graded));
   return std::isfinite(least) ? least : 1;
 }
 

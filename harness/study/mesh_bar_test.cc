@@ -82,6 +82,8 @@ TEST(MeshBar, IsThatOfTheDirectionAndTheBodyThatChangeLeast) {
   const Resolution board{2, {24, 2, 1}, 3}, wider{2, {16, 2, 1}, 2};
   EXPECT_DOUBLE_EQ(fall_of_errors(board, wider, 1), 1.5);
   EXPECT_DOUBLE_EQ(fall_of_errors({2, {3, 3, 2}}, {2, {2, 2, 1}}, 1), 1.5);
+  EXPECT_DOUBLE_EQ(fall_of_errors({2, {1, 1, 8}}, {2, {1, 1, 4}}, 1), 2);        // of what is off across they are mute
+  EXPECT_DOUBLE_EQ(fall_of_errors({4, {1, 1, 8}}, {3, {1, 1, 4}}, 1), 16. / 9);  // and here the degree tells of it
   Resolution both{2, {2}, 3}, before{2, {2}, 2};
   EXPECT_DOUBLE_EQ(fall_of_errors(both, before, 1), 2);
   both.others = {board}, before.others = {wider};
