@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "cases/scene/utf8.h"
 #include "reports/number.h"
@@ -26,6 +27,22 @@ bool begins_formula(std::string_view field) {
 }
 
 bool has_bar(const Column& column) { return column.kind == Column::Kind::error || column.kind == Column::Kind::time; }
+
+// Columns of their own behind the number: of an uncertainty, or of what one leaves.
+std::vector<std::string> headers_behind(const Column& column) {
+  const std::string& name = column.name;
+  if (column.kind == Column::Kind::quotient) return {name + " low", name + " high"};
+  if (!has_bar(column)) return {};
+  return {name + (column.kind == Column::Kind::time ? " spread" : " bar"), name + " status"};
+}
+
+std::string number_or_nothing(const std::optional<double>& value) { return value ? exact_number(*value) : ""; }
+
+std::vector<std::string> fields_behind(const Column& column, const Cell& cell) {
+  if (column.kind == Column::Kind::quotient) return {number_or_nothing(cell.low), number_or_nothing(cell.high)};
+  if (!has_bar(column)) return {};
+  return {number_or_nothing(cell.bar), csv_text(cell.status)};
+}
 
 std::string line(const std::vector<std::string>& fields) {
   std::string text;
@@ -57,18 +74,14 @@ std::string csv(const Sheet& table) {
   std::vector<std::string> names;
   for (const Column& column : table.columns) {
     names.push_back(csv_text(header(column)));
-    if (!has_bar(column)) continue;
-    names.push_back(csv_text(column.name + (column.kind == Column::Kind::time ? " spread" : " bar")));
-    names.push_back(csv_text(column.name + " status"));
+    for (const std::string& name : headers_behind(column)) names.push_back(csv_text(name));
   }
   std::string text = line(names);
   for (const auto& row : table.rows) {
     std::vector<std::string> fields;
     for (std::size_t j = 0; j < row.size(); ++j) {
       fields.push_back(number_or_text(table.columns[j], row[j]));
-      if (!has_bar(table.columns[j])) continue;
-      fields.push_back(row[j].bar ? exact_number(*row[j].bar) : "");
-      fields.push_back(csv_text(row[j].status));
+      for (std::string& field : fields_behind(table.columns[j], row[j])) fields.push_back(std::move(field));
     }
     text += line(fields);
   }

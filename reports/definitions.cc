@@ -55,7 +55,7 @@ constexpr std::pair<const char*, const char*> words[] = {
     {"margin",
      "How much more exact the rival is: error of the reduced run over the rival's. Meshes and steps of the sweep "
      "are coarse, so that the rival is always more exact than it need be, and the speed-up too large for exactly "
-     "equal error."},
+     "equal error. Its range is that of both error bars."},
     {"near miss",
      "At equal error: the most exact of the full-order contenders that are cheaper than the rival: it just misses the "
      "error. Its "
@@ -66,8 +66,9 @@ constexpr std::pair<const char*, const char*> words[] = {
      "Simulated seconds after which offline plus online time of the reduced run falls below that of "
      "its rival: the difference of their offline times divided by what a simulated second gains; never where nothing "
      "is "
-     "gained."},
-    {"real-time factor", "Simulated seconds per computing second, online: 1 keeps up with real time."},
+     "gained. Preparation is timed once, so that no range is known."},
+    {"real-time factor",
+     "Simulated seconds per computing second, online: 1 keeps up with real time. Its range is that of the time."},
     {"perturbed",
      "A time during which something else had the core: processor time over wall-clock time (busy) below 0.9. Its range "
      "goes down to that share of it."},

@@ -47,7 +47,7 @@ Sheet headline_table(const Evaluation& evaluation) {
                           {"full-order error", "-", Kind::error},
                           {"speed-up", "-", Kind::number},
                           {"range", ""},
-                          {"miss speed-up", "-", Kind::number},
+                          {"miss speed-up", "-", Kind::quotient},
                           {"limits", ""}},
               .rows = {},
               .n_keys = 0};

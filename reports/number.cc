@@ -24,6 +24,11 @@ std::string format_number(double value, int digits) {
   return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent));
 }
 
+std::string format_range(double low, double high) {
+  if (std::isnan(low) || std::isnan(high)) return "single run";
+  return format_number(low) + " to " + (std::isfinite(high) ? format_number(high) : "unbounded");
+}
+
 std::string percent(double fraction) { return format_number(100 * fraction, 1) + " %"; }
 
 std::string format_setting(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "not finite"; }

@@ -14,6 +14,7 @@ const char* name_of(Column::Kind kind) {
     case Column::Kind::text:
       return "text";
     case Column::Kind::number:
+    case Column::Kind::quotient:
       return "number";
     case Column::Kind::error:
       return "error";

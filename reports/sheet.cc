@@ -1,6 +1,7 @@
 #include "reports/sheet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "reports/number.h"
@@ -54,6 +55,13 @@ Cell number_cell(std::optional<double> value) {
 }
 
 Cell setting_cell(double value) { return {.text = format_setting(value), .value = value}; }
+
+Cell quotient_cell(double value, double low, double high) {
+  Cell cell{.text = format_number(value) + " (" + format_range(low, high) + ")", .value = value};
+  if (std::isfinite(low)) cell.low = low;
+  if (std::isfinite(high)) cell.high = high;
+  return cell;
+}
 
 Cell record_cell(const Record* record) {
   if (record == nullptr) return {.text = ""};

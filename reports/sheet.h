@@ -11,14 +11,16 @@
 namespace mb {
 
 struct Cell {
-  std::string text;                  // for people; untrusted: every format escapes it
-  std::optional<double> value = {};  // unit of its column, full precision; none: text alone
-  std::optional<double> bar = {};    // uncertainty of value, same unit
-  std::string status = {};           // of the record behind it; "" where there is none
+  std::string text;                           // for people; untrusted: every format escapes it
+  std::optional<double> value = {};           // unit of its column, full precision; none: text alone
+  std::optional<double> bar = {};             // uncertainty of value, same unit
+  std::string status = {};                    // of the record behind it; "" where there is none
+  std::optional<double> low = {}, high = {};  // what uncertain parts leave of a quotient; none: unbounded, or not known
 };
 
 struct Column {
-  enum class Kind { text, number, error, time };  // error and time carry a bar and a status
+  // error and time carry a bar and a status, a quotient what its parts leave of it
+  enum class Kind { text, number, error, time, quotient };
   std::string name, unit;
   Kind kind = Kind::text;
 };
@@ -34,8 +36,9 @@ struct Sheet {
 
 Cell text_cell(std::string text);
 Cell count_cell(long value);
-Cell number_cell(std::optional<double> value);  // "" where none
-Cell setting_cell(double value);                // all digits that were chosen
+Cell number_cell(std::optional<double> value);              // "" where none
+Cell setting_cell(double value);                            // all digits that were chosen
+Cell quotient_cell(double value, double low, double high);  // "354 (340 to 370)"
 
 // "" where none, "failed (...)" where its status is not ok, "0.12, perturbed" of such a time: its status then, too.
 Cell record_cell(const Record* record);

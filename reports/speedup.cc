@@ -67,16 +67,9 @@ const Candidate* dearest_below(const Candidate& rival, const std::vector<Candida
   return best;
 }
 
-struct Range {
-  double low, high;
-};
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Range ratio_range(const Record& time, const Record& slow) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-  if (!time.error_bar || !slow.error_bar) return {nan, nan};
-  const TimeRange own = range_of(time), other = range_of(slow);
-  return {other.low / own.high, own.low > 0 ? other.high / own.low : infinity};
-}
+double quotient(double above, double below) { return below > 0 ? above / below : infinity; }
 
 // Rival and near miss may be nullptr.
 SpeedUp against(const Candidate& reduced, const Candidate* rival, const Candidate* miss, const Sweeps& sweeps) {
@@ -176,11 +169,30 @@ std::vector<SpeedUp> on_front(const std::vector<SpeedUp>& all) {
 
 double rival_margin(const SpeedUp& one) {
   const double own = counted_error(one.error), other = counted_error(one.rival.at(0));
-  if (own == other) return 1;  // also where both are 0
-  return other > 0 ? own / other : std::numeric_limits<double>::infinity();
+  return own == other ? 1 : quotient(own, other);  // 1 also where both are 0
+}
+
+Range margin_range(const SpeedUp& one) {
+  const Record& rival = one.rival.at(0);
+  const double most = largest_error(rival);
+  return {most > 0 ? smallest_error(one.error) / most : rival_margin(one),
+          quotient(largest_error(one.error), smallest_error(rival))};
+}
+
+// The ends of a single run's range are NaN, and so are quotients of them.
+Range ratio_range(const Record& time, const Record& slower) {
+  const TimeRange own = range_of(time), other = range_of(slower);
+  const double low = other.low / own.high;
+  return {low, std::isnan(low) ? low : quotient(other.high, own.low)};
 }
 
 double real_time_factor(const Record& time, double simulated_seconds) { return simulated_seconds / time.value; }
+
+Range real_time_range(const Record& time, double simulated_seconds) {
+  const TimeRange range = range_of(time);
+  const double low = simulated_seconds / range.high;
+  return {low, std::isnan(low) ? low : quotient(simulated_seconds, range.low)};
+}
 
 bool is_within_noise(const SpeedUp& one) {
   constexpr double single_run = 1.2;  // what one run may be off by: another run of it, a busy machine
@@ -239,6 +251,16 @@ std::optional<double> break_even(double offline, double rate, double rival_offli
   if (offline <= rival_offline && rate <= rival_rate) return 0.0;
   if (rate >= rival_rate) return std::nullopt;
   return std::max(0.0, (offline - rival_offline) / (rival_rate - rate));
+}
+
+Range break_even_range(const Costs& own, const Costs& rival, double simulated_seconds) {
+  const TimeRange offline = range_of(own.offline), rate = range_of(own.online);
+  const TimeRange rival_offline = range_of(rival.offline), rival_rate = range_of(rival.online);
+  const double any = offline.low + rate.low + rival_offline.low + rival_rate.low;
+  if (std::isnan(any)) return {any, any};
+  const double T = simulated_seconds;
+  return {break_even(offline.low, rate.low / T, rival_offline.high, rival_rate.high / T).value_or(infinity),
+          break_even(offline.high, rate.high / T, rival_offline.low, rival_rate.low / T).value_or(infinity)};
 }
 
 }  // namespace mb

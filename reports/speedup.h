@@ -26,8 +26,17 @@ std::vector<SpeedUp> speed_ups_at(double target, const std::vector<Run>& runs, c
 // meshes of a sweep, so that the rival is always somewhat too exact. Needs a rival.
 double rival_margin(const SpeedUp& one);
 
+// What the parts of a quotient leave of it: NaN where one is a single run's time, infinite where it has no upper end.
+struct Range {
+  double low, high;
+};
+
+Range ratio_range(const Record& time, const Record& slower);  // [-] of slower / time
+Range margin_range(const SpeedUp& one);                       // [-] by both error bars; 0 and up below them
+
 // [-] simulated seconds per computing second: 1 is real time.
 double real_time_factor(const Record& time, double simulated_seconds);
+Range real_time_range(const Record& time, double simulated_seconds);
 
 // Whether the ranges of both times leave open which is the faster; true where one is a single run's without spread and
 // the times differ by less than a factor 1.2, and what perturbed them.
@@ -52,5 +61,11 @@ std::optional<double> median_ratio(const std::vector<SpeedUp>& all);
 // Simulated seconds T from which  offline + rate T <= rival_offline + rival_rate T;  none where that never happens.
 // offline [s], rate [s of computing per simulated second].
 std::optional<double> break_even(double offline, double rate, double rival_offline, double rival_rate);
+
+// Infinite where it may never happen; NaN as the offline times are single runs', unless these have a spread.
+struct Costs {
+  Record offline, online;  // [s] before and while `simulated` seconds pass
+};
+Range break_even_range(const Costs& own, const Costs& rival, double simulated_seconds);
 
 }  // namespace mb

@@ -28,12 +28,16 @@ Cell break_even_cell(const Evaluation& evaluation, const SpeedUp& one) {
   if (!known) return text_cell("unknown");
   const auto seconds =
       break_even(offline->value, one.time.value / *duration, rival_offline->value, one.rival[1].value / *duration);
-  return seconds ? number_cell(seconds) : text_cell("never");
+  if (!seconds) return text_cell("never");
+  const Range range = break_even_range({*offline, one.time}, {*rival_offline, one.rival[1]}, *duration);
+  return quotient_cell(*seconds, range.low, range.high);
 }
 
 Cell real_time_cell(const Evaluation& evaluation, const SpeedUp& one, const Record& time) {
   const std::optional<double> duration = duration_of(evaluation, one);
-  return duration ? number_cell(real_time_factor(time, *duration)) : text_cell("unknown");
+  if (!duration) return text_cell("unknown");
+  const Range range = real_time_range(time, *duration);
+  return quotient_cell(real_time_factor(time, *duration), range.low, range.high);
 }
 
 // The method's name where the mesh steps in another basis than its own nodes: "full Q2 1x4, step 0.001 s".
@@ -74,19 +78,19 @@ std::vector<Column> speed_up_columns() {
   std::vector<Column> columns = speed_up_key_columns();
   for (const Column& column : std::vector<Column>{{"error", "-", Kind::error},
                                                   {"online time", "s", Kind::time},
-                                                  {"real-time factor", "-", Kind::number},
+                                                  {"real-time factor", "-", Kind::quotient},
                                                   {"rival", ""},
                                                   {"rival integrator", ""},
                                                   {"rival error", "-", Kind::error},
-                                                  {"margin", "-", Kind::number},
+                                                  {"margin", "-", Kind::quotient},
                                                   {"rival online", "s", Kind::time},
-                                                  {"rival real-time factor", "-", Kind::number},
-                                                  {"speed-up", "-", Kind::number},
+                                                  {"rival real-time factor", "-", Kind::quotient},
+                                                  {"speed-up", "-", Kind::quotient},
                                                   {"reduced run is", ""},
-                                                  {"break-even", "s", Kind::number},
+                                                  {"break-even", "s", Kind::quotient},
                                                   {"near miss", ""},
                                                   {"miss error", "-", Kind::error},
-                                                  {"miss speed-up", "-", Kind::number},
+                                                  {"miss speed-up", "-", Kind::quotient},
                                                   {"limits", ""}}) {
     columns.push_back(column);
   }
@@ -97,34 +101,39 @@ std::vector<Column> speed_up_columns() {
 
 std::string range_text(const SpeedUp& one) {
   if (one.rival.empty()) return "";
-  if (std::isnan(one.ratio_low)) return "single run";
-  const std::string high = std::isfinite(one.ratio_high) ? format_number(one.ratio_high) : "unbounded";
-  return format_number(one.ratio_low) + " to " + high;
+  return format_range(one.ratio_low, one.ratio_high);
 }
 
 Cell ratio_cell(const SpeedUp& one) {
   if (one.rival.empty()) return text_cell("none reached");
-  std::string text = format_number(one.ratio) + " (" + range_text(one) + ")";
-  if (is_within_noise(one)) text += ", within noise";
-  if (has_perturbed_time(one)) text += ", perturbed";
-  return {.text = text, .value = one.ratio};
+  Cell cell = quotient_cell(one.ratio, one.ratio_low, one.ratio_high);
+  if (is_within_noise(one)) cell.text += ", within noise";
+  if (has_perturbed_time(one)) cell.text += ", perturbed";
+  return cell;
 }
 
 Cell margin_cell(const SpeedUp& one) {
   if (one.rival.empty()) return text_cell("");
   const double margin = rival_margin(one);
-  return std::isfinite(margin) ? number_cell(margin) : text_cell("unbounded");
+  if (!std::isfinite(margin)) return text_cell("unbounded");
+  const Range range = margin_range(one);
+  return quotient_cell(margin, range.low, range.high);
 }
 
-Cell miss_ratio_cell(const SpeedUp& one) { return one.near_miss.empty() ? text_cell("") : number_cell(one.miss_ratio); }
+Cell miss_ratio_cell(const SpeedUp& one) {
+  if (one.near_miss.empty()) return text_cell("");
+  const Range range = ratio_range(one.time, one.near_miss[1]);
+  return quotient_cell(one.miss_ratio, range.low, range.high);
+}
 
 Sheet speed_up_table(const Evaluation& evaluation, const std::vector<SpeedUp>& shown) {
   Sheet table{.name = "speed-up",
               .title = "Speed-up at equal error",
               .note =
                   "Reduced runs that no other reduced run beats in both error and time. The rival is the cheapest "
-                  "full-order contender at least as exact. Ratio with the range that both times allow: their "
-                  "spreads, and of perturbed ones what else had the core. Between rival and near miss, neighbours of "
+                  "full-order contender at least as exact. Quotients with the range that both parts allow: "
+                  "error bars, spreads of times, and of perturbed ones what else had the core; single run: a time "
+                  "behind it has none. Between rival and near miss, neighbours of "
                   "this sweep, lies what exactly equal error costs, if cost rises with accuracy there; a finer or "
                   "wider sweep may find less. Limits: times that were perturbed, rivals at the edge of their sweep. "
                   "Within noise: the ranges leave open which is faster. Real-time factor in simulated seconds per "

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "reports/runs.h"
 #include "reports/words.h"
 
 namespace mb {
@@ -24,6 +25,8 @@ constexpr const char* missed = "of steps that miss a touch which a motion a thir
 constexpr const char* between =
     "on a line in logarithms between two speeds that were tried, known no better than they lie apart";
 constexpr const char* fitted = "of this mesh's modes on the same samples; rounding times the condition beside it";
+constexpr const char* alone = "of the answer alone, which no truth grades: rounding of its own sums";
+constexpr const char* once = "a single run, taken once; times that are compared have the spread of repetitions";
 constexpr const char* by_auto = "stated, or `auto` by a closed form of the first touch";
 
 struct Reason {
@@ -113,6 +116,18 @@ constexpr Reason reasons[] = {
     {"instructions", "real-time factor", clocked},
     {"instructions", "share counted", counted},
     {"instructions", "time", clocked},
+    {"records", "angular-drift", alone},
+    {"records", "assembly-time", once},
+    {"records", "energy-defect", alone},
+    {"records", "energy-gain", alone},
+    {"records", "free-gain", alone},
+    {"records", "load-error", itself},
+    {"records", "momentum-defect", alone},
+    {"records", "momentum-drift", alone},
+    {"records", "offline-time", once},
+    {"records", "online-time", once},
+    {"records", "stepping-time", once},
+    {"records", "touches", counted},
     {"slenderness", "bar", itself},
     {"slenderness", "length/width", stated},
     {"stability-map", "dt / limit", theory},
@@ -128,9 +143,27 @@ constexpr Reason reasons[] = {
 };
 
 struct Numbers {
-  std::string unit;
+  std::string unit = {};
   long n = 0, n_without = 0;
+
+  void add(const std::string& in, bool has_bar) {
+    unit = in;
+    ++n;
+    n_without += !has_bar;
+  }
 };
+
+using Columns = std::map<std::pair<std::string, std::string>, Numbers>;  // by the names of table and column
+
+void count(const Finding& finding, Columns& columns) {
+  for (std::size_t i = 0; i < finding.rows.size(); ++i)
+    for (std::size_t j = 0; j < finding.columns.size(); ++j) {
+      const auto& [name, unit] = finding.columns[j];
+      const double* number = std::get_if<double>(&finding.rows[i][j]);
+      if (unit.empty() || !number || !std::isfinite(*number)) continue;
+      columns[{finding.name, name}].add(unit, !finding.bars.empty() && std::isfinite(finding.bars[i][j]));
+    }
+}
 
 }  // namespace
 
@@ -141,30 +174,25 @@ std::string reason_without_bar(const std::string& table, const std::string& colu
   return found == std::end(reasons) ? "" : found->why;
 }
 
-Sheet unbarred_columns(const std::vector<Finding>& findings) {
-  std::map<std::pair<std::string, std::string>, Numbers> columns;
-  for (const Finding& finding : findings)
-    for (std::size_t i = 0; i < finding.rows.size(); ++i)
-      for (std::size_t j = 0; j < finding.columns.size(); ++j) {
-        const double* number = std::get_if<double>(&finding.rows[i][j]);
-        if (finding.columns[j].unit.empty() || !number || !std::isfinite(*number)) continue;
-        Numbers& of = columns[{finding.name, finding.columns[j].name}];
-        of.unit = finding.columns[j].unit;
-        ++of.n;
-        of.n_without += finding.bars.empty() || !std::isfinite(finding.bars[i][j]);
-      }
-  Sheet sheet{
-      .name = "unbarred",
-      .title = "Numbers without a bar",
-      .note = "Numbers of analyses' tables that have no error bar beside them, by column, and why they need none.",
-      .columns = {{"table", ""},
-                  {"column", ""},
-                  {"unit", ""},
-                  {"numbers", "", Column::Kind::number},
-                  {"without a bar", "", Column::Kind::number},
-                  {"why", ""}},
-      .rows = {},
-      .n_keys = 2};
+Sheet unbarred_columns(const std::vector<Finding>& findings, const std::vector<Record>& records) {
+  Columns columns;
+  for (const Finding& finding : findings) count(finding, columns);
+  for (const Record& record : records)
+    if (is_usable(record)) columns[{"records", record.metric}].add(record.unit, record.error_bar.has_value());
+  Sheet sheet{.name = "unbarred",
+              .title = "Numbers without a bar",
+              .note =
+                  "Numbers of analyses' tables that have no error bar beside them, by column, and of the records, by "
+                  "metric, and "
+                  "why they need none.",
+              .columns = {{"table", ""},
+                          {"column", ""},
+                          {"unit", ""},
+                          {"numbers", "", Column::Kind::number},
+                          {"without a bar", "", Column::Kind::number},
+                          {"why", ""}},
+              .rows = {},
+              .n_keys = 2};
   for (const auto& [of, numbers] : columns)
     if (numbers.n_without > 0)
       sheet.rows.push_back({text_cell(of.first), text_cell(of.second), text_cell(numbers.unit), count_cell(numbers.n),

@@ -1,4 +1,5 @@
-// Numbers of analyses' tables that have no error bar beside them, column by column, and the reason why they need none.
+// Numbers that have no error bar beside them, column by column of analyses' tables and metric by metric of records, and
+// the reason why they need none.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@ namespace mb {
 std::string reason_without_bar(const std::string& table, const std::string& column);
 
 // table, column, unit, numbers, those without a bar, why; a row for every column with a unit that has such in some
-// table of the input.
-Sheet unbarred_columns(const std::vector<Finding>& findings);
+// table of the input, and for every metric that has such in some usable record, of the table "records".
+Sheet unbarred_columns(const std::vector<Finding>& findings, const std::vector<Record>& records);
 
 }  // namespace mb

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "reports/synthetic.h"
+
 namespace mb {
 namespace {
 
@@ -13,7 +15,7 @@ TEST(UnbarredColumns, AreThoseWithNumbersThatHaveNoBar) {
   finding.columns = {{"integrator", ""}, {"dt", "s"}, {"energy", "-"}, {"error", "-"}, {"count", ""}, {"none", "m"}};
   finding.rows = {{"newmark", 0.1, 1.0, 2.0, 3.0, NAN}, {"newmark", 0.2, 1.0, 2.0, 3.0, INFINITY}};
   finding.bars = {{NAN, NAN, NAN, NAN, NAN, NAN}, {NAN, NAN, NAN, 0.0, NAN, NAN}};
-  const Sheet sheet = unbarred_columns({finding});
+  const Sheet sheet = unbarred_columns({finding}, {});
   ASSERT_EQ(sheet.rows.size(), 3u);
   EXPECT_EQ(sheet.rows[0][1].text, "dt");
   EXPECT_NE(sheet.rows[0].back().text, "");
@@ -28,6 +30,22 @@ TEST(UnbarredColumns, HaveReasonsOfTheirTable) {
   EXPECT_NE(reason_without_bar("any", "dt"), "");
   EXPECT_NE(reason_without_bar("contact-time", "time"), "");
   EXPECT_EQ(reason_without_bar("budget", "time"), "");
+}
+
+TEST(UnbarredColumns, AreMetricsOfRecordsToo) {
+  const Contender contender = synthetic::reduced("eigenmodes", 8);
+  std::vector<Record> records = {synthetic::record("displacement-error", 0.1, 0.01, contender),
+                                 synthetic::record("energy-gain", 1e-9, 0, contender),
+                                 synthetic::record("displacement-error", NAN, 0, contender)};
+  for (std::size_t i : {1, 2}) records[i].error_bar.reset();
+  EXPECT_EQ(unbarred_columns({}, {records[0], records[2]}).rows.size(), 0u);  // one has a bar, one is no number
+  const Sheet sheet = unbarred_columns({}, records);
+  ASSERT_EQ(sheet.rows.size(), 1u);
+  EXPECT_EQ(sheet.rows[0][0].text, "records");
+  EXPECT_EQ(sheet.rows[0][1].text, "energy-gain");
+  EXPECT_NE(sheet.rows[0].back().text, "");
+  records[0].error_bar.reset();
+  EXPECT_EQ(unbarred_columns({}, records).rows[0].back().text, "");  // no error goes without
 }
 
 }  // namespace

@@ -134,7 +134,8 @@ Sheet verification_table(const Evaluation& evaluation) {
 
 std::string verification_document(const Evaluation& evaluation) {
   const Commit commit = main_commit(evaluation);
-  const Sheet table = verification_table(evaluation), unbarred = unbarred_columns(evaluation.input.findings);
+  const Sheet table = verification_table(evaluation),
+              unbarred = unbarred_columns(evaluation.input.findings, evaluation.input.records);
   std::string text = "# Verification\n\n" + markdown_text(table.note) + "\n\n";
   text += "Made by `modalbench report` from stored results" +
           (commit.name.empty() ? std::string() : " of commit " + markdown_text(commit.name)) +

@@ -195,10 +195,11 @@ Sheet contenders_table(const Evaluation& evaluation) {
     std::vector<Cell> cells = {text_cell(e.case_name), text_cell(e.profile), text_cell(e.truth), text_cell(e.subject)};
     const Theory theory = theory_of(evaluation, e.case_name, e.profile);
     append(cells, contender_cells(e.contender, e.modes_used, e.n_unknowns, theory));
-    Cell ratio = ratio_cell(one);
-    if (!one.rival.empty()) ratio.text = format_number(one.ratio);  // range and limits stand in the table of speed-ups
-    if (has_perturbed_time(one)) ratio.text += ", perturbed";
-    ratios[key_of(cells)] = {ratio, margin_cell(one), miss_ratio_cell(one)};
+    std::vector<Cell> quotients = {ratio_cell(one), margin_cell(one), miss_ratio_cell(one)};
+    for (Cell& cell : quotients)  // ranges and limits stand in the table of speed-ups
+      if (cell.value) cell.text = format_number(*cell.value);
+    if (has_perturbed_time(one)) quotients[0].text += ", perturbed";
+    ratios[key_of(cells)] = std::move(quotients);
   }
   const auto error = std::find_if(table.columns.begin(), table.columns.end(),
                                   [](const Column& column) { return column.name == headline_metric; });

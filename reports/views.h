@@ -37,7 +37,7 @@ std::string range_text(const SpeedUp& speed_up);  // "340 to 370", "single run";
 
 // "354 (340 to 370)", "0.9 (0.7 to 1.2), within noise", "12 (single run), perturbed", "none reached"
 Cell ratio_cell(const SpeedUp& speed_up);
-Cell margin_cell(const SpeedUp& speed_up);      // how much more exact the rival is: "2.9"; "" where none
+Cell margin_cell(const SpeedUp& speed_up);      // how much more exact the rival is: "2.9 (2.1 to 4)"; "" where none
 Cell miss_ratio_cell(const SpeedUp& speed_up);  // speed-up over the near miss; "" where none
 
 // Measures of a case without a number, for one reason.

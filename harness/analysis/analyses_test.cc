@@ -285,7 +285,7 @@ TEST_F(AnalysesCases, ModesFallAsTheirEnergyForceAndImpulseSay) {
 }
 
 TEST_F(AnalysesCases, ColumnsHaveBarsOrAReason) {
-  for (const auto& row : unbarred_columns(findings()).rows)
+  for (const auto& row : unbarred_columns(findings(), {}).rows)
     EXPECT_NE(row.back().text, "") << row[0].text << ", column " << row[1].text;
 }
 

@@ -190,7 +190,7 @@ TEST_F(ContactAnalysesCases, NumbersOfAnswersHaveBars) {
 }
 
 TEST_F(ContactAnalysesCases, ColumnsHaveBarsOrAReason) {
-  for (const auto& row : unbarred_columns(findings()).rows)
+  for (const auto& row : unbarred_columns(findings(), {}).rows)
     EXPECT_NE(row.back().text, "") << row[0].text << ", column " << row[1].text;
 }
 
