@@ -74,6 +74,7 @@ TEST(FaultCases, TwoRunsAtOnceDoNotHarmTheirStore) {
   EXPECT_EQ(one.code(), 0) << one.err();
   EXPECT_EQ(other.code(), 0) << other.err();
   expect_sound(scratch / "results");
+  expect_nothing_half_written(scratch / "results");
   const std::string of_both = text(scratch / "results/results.jsonl");
   Process third(scratch.path(), run), alone(scratch.path(), run_with({"--store", "alone"}));
   EXPECT_EQ(third.code(), 0);

@@ -32,6 +32,9 @@ class TinyDisk {
   TinyDisk(const TinyDisk&) = delete;
   TinyDisk& operator=(const TinyDisk&) = delete;
   bool is_mounted() const { return mounted_; }
+  bool becomes_read_only() const {
+    return ::mount("tmpfs", folder_.c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, nullptr) == 0;
+  }
 
  private:
   fs::path folder_;
@@ -150,6 +153,26 @@ TEST(FullDiskCases, AWholeStoreIsReadWhereNothingMayBeWritten) {
   fs::permissions(scratch / "results", fs::perms::owner_all);
   for (const auto& entry : fs::recursive_directory_iterator(scratch / "results"))
     fs::permissions(entry.path(), fs::perms::owner_all);
+}
+
+// Of a disk that nobody may write to, whatever the permissions say.
+TEST(FullDiskCases, ADiskThatIsReadOnlyIsToldAndItsStoreRead) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", analysed_case());
+  const TinyDisk disk(scratch / "disk", 16384);
+  if (!disk.is_mounted()) GTEST_SKIP() << "a disk may not be mounted here; folders that are shut stand for it";
+  Process computed(scratch.path(), run_with({"--store", "disk/results"}));
+  ASSERT_EQ(computed.code(), 0) << computed.err();
+  ASSERT_TRUE(disk.becomes_read_only());
+  Process again(scratch.path(), run_with({"--store", "disk/results"}));
+  EXPECT_EQ(again.code(), 0) << again.err();
+  EXPECT_EQ(again.out(), computed.out());
+  Process other(scratch.path(), run_with({"--store", "disk/other"}));
+  EXPECT_EQ(other.code(), 2);
+  EXPECT_THAT(other.err(), ContainsRegex("disk/other.*: Read-only file system"));
+  Process report(scratch.path(), {"report", "--store", "disk/results", "-o", "disk/report", "-q", "case.toml"});
+  EXPECT_EQ(report.code(), 2);
+  EXPECT_THAT(report.err(), ContainsRegex("cannot make disk/report: Read-only file system"));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ TEST(SignalCases, CtrlCEndsAProcessCleanly) {
     EXPECT_THAT(process.err(),
                 HasSubstr("interrupted; what is finished is kept. To go on:\n  modalbench run case.toml"));
     expect_sound(scratch / "results");
+    expect_nothing_half_written(scratch / "results");
     Process again(scratch.path(), run);
     EXPECT_EQ(again.code(), 0) << again.err();
   }
@@ -57,6 +58,7 @@ TEST(SignalCases, WhatEndsTheFirstProcessEndsAllCleanly) {
       EXPECT_EQ(children.size(), std::string(jobs) == "2" ? 2u : 0u);
       for (const pid_t child : children) EXPECT_FALSE(is_running(child));
       expect_sound(scratch / "results");
+      expect_nothing_half_written(scratch / "results");
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "cases/json/record_json.h"
 #include "harness/faults_test.h"
+#include "harness/threaded_cases_test.h"
 
 namespace mb {
 namespace {
@@ -150,102 +151,6 @@ std::string finely_meshed_case() {
   return all.replace(all.find(coarse_mesh), coarse_mesh.size(), "finer = { degree = 3, cells = [2, 4] }");
 }
 
-// Damping that couples the modes, and the map of steps by every integrator.
-constexpr const char* dashpot_case = R"(schema = 1
-name = "damper"
-title = "t"
-purpose = "p"
-source = "s"
-[time]
-duration = 0.1
-frame_rate = 60
-samples_per_second = 200
-[[body]]
-name = "bar"
-[body.shape]
-kind = "box"
-size = [0.05, 0.06, 0.2]
-[body.material]
-youngs_modulus = 2e4
-poissons_ratio = 0.3
-density = 1100
-[body.damping]
-beta = 1e-4
-[body.resolution]
-degree = 2
-cells = [1, 1, 3]
-[[body.support]]
-kind = "fixed"
-face = "z-min"
-[[body.dashpot]]
-face = "z-max"
-direction = [0.6, 0, 0.8]
-damping = 2
-[[load]]
-name = "knock"
-history = { kind = "pulse", duration = 0.02 }
-[[load.traction]]
-body = "bar"
-face = "x-max"
-traction = [-40, 10, 16]
-[truth]
-relative_tolerance = 1e-5
-finer = { degree = 3, cells = [2, 2, 6] }
-coarser = { degree = 2, cells = [2, 2, 6] }
-[study]
-methods = ["eigenmodes"]
-modes = [4, 16]
-analyses = ["damping-coupling", "stability-map"]
-[[study.rival]]
-integrator = "newmark"
-degrees = [2]
-cells = [[1, 1, 3]]
-time_steps = [0.005]
-)";
-
-// A box that falls flat and rebounds, by kicks.
-constexpr const char* contact_case = R"(schema = 1
-name = "bounce"
-title = "t"
-purpose = "p"
-source = "s"
-gravity = [0, 0, -9.81]
-[time]
-duration = 0.04
-frame_rate = 60
-samples_per_second = 1000
-[[body]]
-name = "box"
-pose = { position = [0, 0, 0.0301] }
-velocity = [0, 0, -0.3]
-[body.shape]
-kind = "box"
-size = [0.1, 0.08, 0.06]
-[body.material]
-youngs_modulus = 1e5
-poissons_ratio = 0.3
-density = 1000
-[body.resolution]
-degree = 2
-cells = [2, 2, 2]
-[[obstacle]]
-name = "floor"
-shape = { kind = "half-space" }
-[[contact]]
-body = "box"
-obstacle = "floor"
-stiffness = "auto"
-[truth]
-relative_tolerance = 1e-4
-finer = { degree = 2, cells = [4, 4, 4] }
-coarser = { degree = 2, cells = [2, 2, 2] }
-[study]
-methods = ["eigenmodes", "static-correction"]
-modes = [12]
-contact_steps = [5e-5]
-analyses = ["contact-stability"]
-)";
-
 std::string hard_case(const std::string& name) {
   return text(fs::path(MB_SOURCE_DIR) / "cases/hard" / (name + ".toml"));
 }
@@ -290,6 +195,8 @@ INSTANTIATE_TEST_SUITE_P(Of, ThreadsCases,
                          ::testing::Values(Threaded{"free", finely_meshed_case(), 7, true, 1e-10},
                                            Threaded{"dashpot", dashpot_case, 7, true, 1e-10},
                                            Threaded{"contact", contact_case, 5, true, 1e-9, Cells::within_bars},
+                                           Threaded{"turning", turning_case, 6, false, 1e-10},
+                                           Threaded{"collision", collision_case, 4, false, 1e-9, Cells::within_bars},
                                            Threaded{"distorted", hard_case("distorted-mesh"), 7, true, 1e-8,
                                                     Cells::texts_and_counts},
                                            Threaded{"nearly_degenerate", hard_case("nearly-degenerate-bar"), 7, true,

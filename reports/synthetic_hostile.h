@@ -14,7 +14,7 @@ inline constexpr const char* markup =
     "=1+1</script><script>document.title='hostile'</script><img src=x onerror=\"document.title='hostile'\">"
     "<a href=\"javascript:alert(1)\">&lt;b&gt;</a>\\input{/etc/passwd}*\x1b]0;t\x07";
 // What spreadsheets take for the begin of a formula, as behind blanks and in wide forms.
-inline constexpr const char* begins[] = {"", " ", "\u00a0", "\u3000\uff1d", "@", "+"};
+inline constexpr const char* begins[] = {"", " ", "\u00a0", "\u3000\uff1d", "@", "+", "-", "\uff0b", "\uff0d", "\uff20"};
 
 inline ReportInput hostile() {
   ReportInput all = input();

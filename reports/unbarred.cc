@@ -17,8 +17,8 @@ constexpr const char* chosen = "chosen, by this mesh's frequencies or the contac
 constexpr const char* itself = "is an uncertainty itself";
 constexpr const char* clocked = "measured on one machine at one time; its table says how often";
 constexpr const char* theory =
-    "theory on this mesh's matrices: rounding, and where a limit is searched for 1e-9 of it, 3e-12 zeta where that is "
-    "more, 1e-3 for kicks in contact";
+    "theory on the matrices that are stepped, as the cells beside it: rounding, and where a limit is searched for 1e-9 "
+    "of it, 3e-12 zeta where that is more, 1e-3 for kicks in contact; of a finer mesh's limits see step-limits";
 constexpr const char* counted = "counted, which repeats";
 constexpr const char* before = "a quotient of numbers of the tables before, or one of these";
 constexpr const char* missed = "of steps that miss a touch which a motion a third as large has, or the other way round";
@@ -31,6 +31,7 @@ constexpr const char* by_auto = "stated, or `auto` by a closed form of the first
 
 struct Reason {
   const char *table, *column, *why;  // table: "*": any
+  bool some = false;                 // of some of its numbers, never of all: others have a bar
 };
 
 constexpr Reason reasons[] = {
@@ -76,7 +77,7 @@ constexpr Reason reasons[] = {
     {"contact-meetings", "k a/E*", "closed form of what the case states, and its speed"},
     {"contact-samples", "size / a", stated},
     {"contact-stability", "dt / limit", theory},
-    {"contact-stability", "energy", missed},
+    {"contact-stability", "energy", missed, true},
     {"contact-stability", "limit", theory},
     {"contact-stability", "opening limit", theory},
     {"contact-stability", "spectral radius", theory},
@@ -93,13 +94,13 @@ constexpr Reason reasons[] = {
     {"contact-time-runs", "time", clocked},
     {"contact-time-runs", "with displacements", clocked},
     {"corrected-stability", "dt / limit", theory},
-    {"corrected-stability", "energy", missed},
+    {"corrected-stability", "energy", missed, true},
     {"corrected-stability", "limit", theory},
     {"corrected-stability", "opening limit", theory},
     {"corrected-stability", "spectral radius", theory},
     {"corrected-stability", "stiffness factor", stated},
     {"corrected-stability-summary", "unstable from", "the least of steps that are halves of each other"},
-    {"damping-of-steps", "zeta of run", "of a mode that the finer mesh's run has no ratio of"},
+    {"damping-of-steps", "zeta of run", "of a mode that the finer mesh's run has no ratio of", true},
     {"flight-cost", "contact time", "as that run had it, whose cost it counts"},
     {"flight-cost", "flight time", chosen},
     {"flight-cost", "real-time factor", clocked},
@@ -135,11 +136,11 @@ constexpr Reason reasons[] = {
     {"stability-map", "spectral radius", theory},
     {"step-limit-runs", "dt / limit", stated},
     {"step-limit-runs", "growth by theory", theory},
-    {"step-limits", "dt formula", "of a limit of 0, where no step is stable"},
-    {"step-limits", "dt measured", "of a limit of 0, where no step is stable"},
-    {"step-limits", "omega deciding", "of full order: this mesh's own, to rounding"},
-    {"step-limits", "omega max", "of full order: this mesh's own, to rounding"},
-    {"step-limits", "zeta", "of full order: this mesh's own, to rounding"},
+    {"step-limits", "dt formula", "of a limit of 0, where no step is stable", true},
+    {"step-limits", "dt measured", "of a limit of 0, where no step is stable", true},
+    {"step-limits", "omega deciding", "of full order: this mesh's own, to rounding", true},
+    {"step-limits", "omega max", "of full order: this mesh's own, to rounding", true},
+    {"step-limits", "zeta", "of full order: this mesh's own, to rounding", true},
 };
 
 struct Numbers {
@@ -167,9 +168,10 @@ void count(const Finding& finding, Columns& columns) {
 
 }  // namespace
 
-std::string reason_without_bar(const std::string& table, const std::string& column) {
+std::string reason_without_bar(const std::string& table, const std::string& column, bool of_all) {
   const auto* found = std::ranges::find_if(reasons, [&](const Reason& reason) {
-    return (reason.table == std::string("*") || reason.table == table) && reason.column == column;
+    return (reason.table == std::string("*") || reason.table == table) && reason.column == column &&
+           !(of_all && reason.some);
   });
   return found == std::end(reasons) ? "" : found->why;
 }
@@ -196,7 +198,8 @@ Sheet unbarred_columns(const std::vector<Finding>& findings, const std::vector<R
   for (const auto& [of, numbers] : columns)
     if (numbers.n_without > 0)
       sheet.rows.push_back({text_cell(of.first), text_cell(of.second), text_cell(numbers.unit), count_cell(numbers.n),
-                            count_cell(numbers.n_without), text_cell(reason_without_bar(of.first, of.second))});
+                            count_cell(numbers.n_without),
+                            text_cell(reason_without_bar(of.first, of.second, numbers.n == numbers.n_without))});
   return sheet;
 }
 

@@ -8,8 +8,9 @@
 
 namespace mb {
 
-// "" where none is known: such a number is not to be trusted before it has a bar or a reason.
-std::string reason_without_bar(const std::string& table, const std::string& column);
+// "" where none is known: such a number is not to be trusted before it has a bar or a reason. Some reasons are those of
+// single rows: where no number of the column has a bar (`of_all`) they are none.
+std::string reason_without_bar(const std::string& table, const std::string& column, bool of_all);
 
 // table, column, unit, numbers, those without a bar, why; a row for every column with a unit that has such in some
 // table of the input, and for every metric that has such in some usable record, of the table "records".

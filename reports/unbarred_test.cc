@@ -27,9 +27,11 @@ TEST(UnbarredColumns, AreThoseWithNumbersThatHaveNoBar) {
 }
 
 TEST(UnbarredColumns, HaveReasonsOfTheirTable) {
-  EXPECT_NE(reason_without_bar("any", "dt"), "");
-  EXPECT_NE(reason_without_bar("contact-time", "time"), "");
-  EXPECT_EQ(reason_without_bar("budget", "time"), "");
+  EXPECT_NE(reason_without_bar("any", "dt", true), "");
+  EXPECT_NE(reason_without_bar("contact-time", "time", true), "");
+  EXPECT_EQ(reason_without_bar("budget", "time", false), "");
+  EXPECT_NE(reason_without_bar("step-limits", "omega max", false), "");
+  EXPECT_EQ(reason_without_bar("step-limits", "omega max", true), "");  // of the modes' rows it has bars
 }
 
 TEST(UnbarredColumns, AreMetricsOfRecordsToo) {

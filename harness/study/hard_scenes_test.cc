@@ -222,6 +222,32 @@ TEST_F(HardScenes, HaveMapsOfTheirStepsAndSayWhatIsHard) {
   }
 }
 
+// Two checks of the same runs but for the step, the smaller held to less.
+bool falls(const Scene& scene, const std::string& method) {
+  const auto is_finer = [](const Check& a, const Check& b) {
+    return a.time_step && b.time_step && *a.time_step < *b.time_step && a.at_most && b.at_most &&
+           *a.at_most < *b.at_most;
+  };
+  return std::ranges::any_of(scene.checks, [&](const Check& a) {
+    return a.method == method && is_error(a.metric) && std::ranges::any_of(scene.checks, [&](const Check& b) {
+             return b.method == method && b.integrator == a.integrator && b.modes == a.modes && b.metric == a.metric &&
+                    b.truth == a.truth && b.rotation == a.rotation && is_finer(a, b);
+           });
+  });
+}
+
+// The order of one integrator that is stable at any step says so of modes as well.
+TEST_F(HardScenes, ComeNearerToTheTruthAsTheStepFalls) {
+  for (const Scene& scene : all_) {
+    EXPECT_TRUE(falls(scene, "full-order")) << scene.name;
+    const std::string table = scene.contacts.empty() ? "stability-summary" : "contact-stability-summary";
+    const bool has_order = std::ranges::any_of(scene.checks, [&](const Check& check) {
+      return check.table == table && check.row == "newmark" && check.column == "order" && check.at_least;
+    });
+    EXPECT_TRUE(has_order || falls(scene, "eigenmodes")) << scene.name;
+  }
+}
+
 // A limit predicted far too low would find everything unstable as predicted, one too high stable cells within it.
 TEST_F(HardScenes, HoldLimitsOfContactFromBothSides) {
   for (const Scene& scene : all_)

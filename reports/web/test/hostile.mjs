@@ -36,7 +36,8 @@ async function isTextOnly(where) {
 
 // Whatever a spreadsheet takes for a formula begins with an apostrophe; nothing moves a terminal's cursor.
 function isSafeCsv(text, name) {
-  assert.doesNotMatch(text, /(^|,)"?[ \u00a0\u3000]*[=+@\uff1d]/m, `${name}: a cell begins a formula`);
+  const formula = /(^|,)"?[ \u00a0\u3000]*([=+@\uff1d\uff0b\uff0d\uff20]|-(?![\d.]+(e-?\d+)?("|,|\r|$)))/m; // -0.5 is a number
+  assert.doesNotMatch(text, formula, `${name}: a cell begins a formula`);
   assert.doesNotMatch(text, /[\x00-\x08\x0b-\x1f\x7f]/, `${name}: a control character`);
 }
 function isSafeLatex(text, name) {
