@@ -22,6 +22,7 @@ constexpr const char* theory =
 constexpr const char* counted = "counted, which repeats";
 constexpr const char* before = "a quotient of numbers of the tables before, or one of these";
 constexpr const char* missed = "of steps that miss a touch which a motion a third as large has, or the other way round";
+constexpr const char* unstepped = "known to no bar: steps twice as long are past their limit, or miss this contact";
 constexpr const char* between =
     "on a line in logarithms between two speeds that were tried, known no better than they lie apart";
 constexpr const char* fitted = "of this mesh's modes on the same samples; rounding times the condition beside it";
@@ -51,6 +52,10 @@ constexpr Reason reasons[] = {
     {"amplitude-limits", "largest strain", between},
     {"amplitude-limits", "largest deformation", between},
     {"aspect", "largest residual", itself},
+    {"contact-conditions", "condition of duration", unstepped, true},
+    {"contact-conditions", "condition of impulse", unstepped, true},
+    {"contact-conditions", "condition of peak force", unstepped, true},
+    {"contact-conditions", "condition of start", unstepped, true},
     {"contact-conditions", "factor", stated},
     {"collision-cost", "building", clocked},
     {"collision-cost", "depth error", "of the body's polygons against its shape, in double precision"},
@@ -83,6 +88,13 @@ constexpr Reason reasons[] = {
     {"contact-stability", "spectral radius", theory},
     {"contact-stability", "stiffness factor", stated},
     {"contact-stability-summary", "unstable from", "the least of steps that are halves of each other"},
+    {"contact-stiffness", "change of duration", unstepped, true},
+    {"contact-stiffness", "change of impulse", unstepped, true},
+    {"contact-stiffness", "change of peak force", unstepped, true},
+    {"contact-stiffness", "duration", unstepped, true},
+    {"contact-stiffness", "first touch", unstepped, true},
+    {"contact-stiffness", "impulse", unstepped, true},
+    {"contact-stiffness", "peak force", unstepped, true},
     {"contact-stiffness", "factor", stated},
     {"contact-stiffness", "k a/E*", by_auto},
     {"contact-stiffness", "stiffness", by_auto},
@@ -95,6 +107,8 @@ constexpr Reason reasons[] = {
     {"contact-time-runs", "with displacements", clocked},
     {"corrected-stability", "dt / limit", theory},
     {"corrected-stability", "energy", missed, true},
+    {"corrected-stability", "impulse error", missed, true},
+    {"corrected-stability", "peak force error", missed, true},
     {"corrected-stability", "limit", theory},
     {"corrected-stability", "opening limit", theory},
     {"corrected-stability", "spectral radius", theory},
@@ -108,6 +122,7 @@ constexpr Reason reasons[] = {
     {"flight-cost", "time", clocked},
     {"flight-cost", "time a step", clocked},
     {"flight-cost-exponents", "expected", "theory"},
+    {"force-history", "normal force", unstepped, true},
     {"force-history", "time", stated},
     {"frequencies", "GCI", itself},
     {"frequencies", "reference", "published, or a closed form; its uncertainty is the bar of the errors against it"},
