@@ -81,7 +81,7 @@ Finding claim_table() {
   return table("collision-cost", "collision-cost-claim", "Claim C11: does collision cost O(m) against O(n m)?",
                "By tests where n = m: analytic ~ m, its rival ~ m^2; and by times from which size on the analytic one "
                "is cheaper. Both sides answer alike: all distances against brute force and tree, depths inside against "
-               "a tree within reach.",
+               "a tree within reach. Bars of exponents are standard errors.",
                {{"claim", ""},
                 {"against", ""},
                 {"exponent analytic", "-"},
@@ -164,16 +164,14 @@ Outcome outcome(const Sweep& sweep, const Duel& duel) {
   return {crossover(rival.m, own.time.head(n), rival.time), rival.m[n - 1], rival.time[n - 1] / own.time[n - 1]};
 }
 
-std::vector<FindingCell> claim_row(const Sweep& sweep, const Duel& duel) {
+void add_claim(Finding& claim, const Sweep& sweep, const Duel& duel) {
   const Costs own = costs(sweep, duel.analytic), rival = costs(sweep, duel.rival);
-  const double p = power_law(own.m, own.tests).exponent, q = power_law(rival.m, rival.tests).exponent;
+  const PowerLaw p = power_law(own.m, own.tests), q = power_law(rival.m, rival.tests);
   const Outcome found = outcome(sweep, duel);
-  return {"C11",
-          fmt::format("{}; {}", duel.rival, sweep.partner),
-          p,
-          q,
-          found.crossover,
-          collision_verdict(p, q, found.crossover, own.m[0], found.perturbed)};
+  claim.rows.push_back({"C11", fmt::format("{}; {}", duel.rival, sweep.partner), p.exponent, q.exponent,
+                        found.crossover,
+                        collision_verdict(p.exponent, q.exponent, found.crossover, own.m[0], found.perturbed)});
+  bar_last_row(claim, {{"exponent analytic", p.standard_error}, {"exponent rival", q.standard_error}});
 }
 
 }  // namespace
@@ -206,7 +204,7 @@ std::vector<Finding> collision_cost(const Shape& body, const CollisionSizes& siz
         const Outcome found = outcome(sweep, duel);
         crossovers.rows.push_back({name, sweep.name, duel.analytic, duel.rival, duel.with_building ? "yes" : "no",
                                    found.crossover, found.largest, found.ratio});
-        if (sweep.name == "n = m" && !duel.with_building) claim.rows.push_back(claim_row(sweep, duel));
+        if (sweep.name == "n = m" && !duel.with_building) add_claim(claim, sweep, duel);
       }
     }
   }

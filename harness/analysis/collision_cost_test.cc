@@ -90,6 +90,19 @@ TEST(CollisionCostVerification, TestsGrowAsTheorySays) {
   }
 }
 
+TEST(CollisionCost, ExponentsOfItsClaimHaveTheirStandardErrors) {
+  const Finding& claim = table_of(findings(), "collision-cost-claim");
+  ASSERT_EQ(claim.rows.size(), 6u);
+  for (const Row& row : rows(table_of(findings(), "collision-cost-exponents")))
+    for (std::size_t i = 0; i < claim.rows.size(); ++i) {
+      const std::string against = row.text("contender") + "; " + row.text("partner");
+      if (row.text("sweep") != "n = m" || std::get<std::string>(claim.rows[i][1]) != against) continue;
+      EXPECT_EQ(std::get<double>(claim.rows[i][3]), row.number("exponent of tests")) << against;
+      EXPECT_EQ(claim.bars.at(i)[3], row.number("standard error of tests")) << against;
+      EXPECT_TRUE(std::isfinite(claim.bars[i][2])) << against;
+    }
+}
+
 // Chords: n^-1 in n polygons, the square of their size.
 TEST(CollisionCostVerification, DepthsOfPolygonsAreOffByTheirChords) {
   for (const char* partner : {"sphere", "superquadric"}) {

@@ -56,7 +56,7 @@ Finding claim_table() {
                "Claim C12: are analytic contact regions more accurate than vertex contact?",
                "Gain: mean error of vertices (with areas or alike, whichever is better) over that of the analytic "
                "contender, at every depth and number of samples; its geometric mean, and the least. Unbounded where "
-               "the analytic contender errs by no more than rounding.",
+               "the analytic contender errs by no more than rounding. Bars: of both errors, of the mean their mean.",
                {{"claim", ""}, {"compared", ""}, {"gain", "-"}, {"least gain", "-"}, {"verdict", ""}});
 }
 
@@ -115,15 +115,16 @@ std::vector<FindingCell> error_row(const std::string& shape, double depth, const
   return row;
 }
 
-// Relative errors against the exact cap are no better known than that, those of an impact than time_to_rest is.
+// [-] Relative errors against the exact cap are no better known than that, those of an impact than time_to_rest is.
+double bar_of(const Marks& one, bool of_impact) { return std::max(one.error_of_exact, of_impact ? at_rest : rounding); }
+
 void add_errors(Finding& errors, const std::string& shape, double depth, const Marks& one) {
   errors.rows.push_back(error_row(shape, depth, one));
   std::vector<std::pair<const char*, double>> bars;
   for (size_t j = 5; j < errors.columns.size(); ++j) {
     const std::string& name = errors.columns[j].name;
     const bool of_impact = name.starts_with("duration") || name.starts_with("impulse");
-    if (std::isfinite(std::get<double>(errors.rows.back()[j])))
-      bars.emplace_back(name.c_str(), std::max(one.error_of_exact, of_impact ? at_rest : rounding));
+    if (std::isfinite(std::get<double>(errors.rows.back()[j]))) bars.emplace_back(name.c_str(), bar_of(one, of_impact));
   }
   bar_last_row(errors, bars);
 }
@@ -132,12 +133,13 @@ void add_errors(Finding& errors, const std::string& shape, double depth, const M
 struct Judged {
   Index place;
   const char* name;
+  bool of_impact;
 };
-constexpr Judged judged[] = {{0, "force"}, {3, "Hertz force"}, {4, "impulse"}};
+constexpr Judged judged[] = {{0, "force", false}, {3, "Hertz force", false}, {4, "impulse", true}};
 
 void add_orders(Finding& orders, const std::string& shape, double depth, const std::vector<Marks>& all) {
   for (const char* contender : {by_areas, by_equal, by_uniform, by_region})
-    for (const auto& [place, name] : judged) {
+    for (const auto& [place, name, of_impact] : judged) {
       std::vector<double> n, error;
       for (const Marks& one : all)
         if (one.contender == contender) {
@@ -152,32 +154,51 @@ void add_orders(Finding& orders, const std::string& shape, double depth, const s
     }
 }
 
+// An error with its bar [-], NaN where there is none.
+struct Error {
+  double value = std::numeric_limits<double>::quiet_NaN(), bar = value;
+};
+Error error_of(const std::vector<Marks>& all, const std::string& contender, double n, const Judged& by) {
+  for (const Marks& one : all)
+    if (one.contender == contender && (std::isnan(one.n_samples) || one.n_samples >= n - 2))
+      return {one.mean[by.place], bar_of(one, by.of_impact)};
+  return {};
+}
+
+struct Gains {
+  std::vector<double> values, relative_bars;
+};
+
 // Of one depth, a gain for every number of samples; vertices may be weighted as suits them best.
-void add_gains(std::vector<double>& gains, const std::vector<Marks>& all, const std::string& contender, Index place) {
-  const auto mean = [&](const std::string& name, double n) {
-    for (const Marks& one : all)
-      if (one.contender == name && (std::isnan(one.n_samples) || one.n_samples >= n - 2)) return one.mean[place];
-    return std::numeric_limits<double>::quiet_NaN();
-  };
+void add_gains(Gains& gains, const std::vector<Marks>& all, const std::string& contender, const Judged& by) {
   for (const Marks& vertices : all) {
     if (vertices.contender != by_areas) continue;
     const double n = vertices.n_samples;  // quadratures have up to 2 fewer, and other sizes are far from it
-    const double rival = std::min(vertices.mean[place], mean(by_equal, n)), own = mean(contender, n);
-    if (std::isnan(own) || std::isnan(rival)) continue;
-    gains.push_back(own <= rounding ? std::numeric_limits<double>::infinity() : rival / own);
+    Error rival{vertices.mean[by.place], bar_of(vertices, by.of_impact)};
+    if (const Error alike = error_of(all, by_equal, n, by); alike.value < rival.value) rival = alike;
+    const Error own = error_of(all, contender, n, by);
+    if (std::isnan(own.value) || std::isnan(rival.value)) continue;
+    const bool unbounded = own.value <= rounding;
+    gains.values.push_back(unbounded ? std::numeric_limits<double>::infinity() : rival.value / own.value);
+    gains.relative_bars.push_back(unbounded ? std::numeric_limits<double>::quiet_NaN()
+                                            : rival.bar / rival.value + own.bar / own.value);
   }
 }
 
 void add_claims(Finding& claim, const std::string& shape, const std::vector<std::vector<Marks>>& by_depth) {
   for (const char* contender : {by_curvatures, by_region, by_uniform})
-    for (const auto& [place, name] : judged) {
-      std::vector<double> gains;
-      for (const std::vector<Marks>& all : by_depth) add_gains(gains, all, contender, place);
-      if (gains.empty()) continue;
-      double logarithm = 0;
-      for (const double gain : gains) logarithm += std::log(gain) / static_cast<double>(gains.size());
-      claim.rows.push_back({"C12", fmt::format("{} by {}, {}", name, contender, shape), std::exp(logarithm),
-                            *std::min_element(gains.begin(), gains.end()), contact_verdict(gains)});
+    for (const Judged& by : judged) {
+      Gains gains;
+      for (const std::vector<Marks>& all : by_depth) add_gains(gains, all, contender, by);
+      const auto n = static_cast<Index>(gains.values.size());
+      if (n == 0) continue;
+      const Eigen::Map<const VectorXd> values(gains.values.data(), n), bars(gains.relative_bars.data(), n);
+      Index least = 0;
+      values.minCoeff(&least);
+      const double mean = std::exp(values.array().log().mean());
+      claim.rows.push_back({"C12", fmt::format("{} by {}, {}", by.name, contender, shape), mean, values[least],
+                            contact_verdict(gains.values)});
+      bar_last_row(claim, {{"gain", mean * bars.mean()}, {"least gain", values[least] * bars[least]}});
     }
 }
 

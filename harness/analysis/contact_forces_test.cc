@@ -113,9 +113,12 @@ TEST(ContactForces, TablesAreWholeAndMeansBelowTheWorst) {
     for (size_t i = 0; i < all[0].rows.size(); ++i)
       for (size_t j = 5; j < all[0].columns.size(); ++j)
         EXPECT_EQ(all[0].bars[i][j] > 0, std::isfinite(std::get<double>(all[0].rows[i][j]))) << all[0].columns[j].name;
-    for (const auto& row : all[2].rows) {
+    for (size_t i = 0; i < all[2].rows.size(); ++i) {
+      const auto& row = all[2].rows[i];
       EXPECT_EQ(std::get<std::string>(row[0]), "C12");
       EXPECT_GE(std::get<double>(row[2]), std::get<double>(row[3]));
+      for (const size_t j : {2, 3})
+        EXPECT_EQ(all[2].bars[i][j] > 0, std::isfinite(std::get<double>(row[j]))) << all[2].columns[j].name;
     }
   }
 }

@@ -94,10 +94,9 @@ std::optional<StepClass> prediction(double radius, long n_steps) {
   return growth > 2 * std::log(energy_bound) ? std::optional(StepClass::unstable) : std::nullopt;
 }
 
-// Of what ran away under loads: whether growth over that run explains it.
-std::optional<StepClass> prediction_of_runaway(double radius, double n_steps) {
-  const double growth = 2 * n_steps * std::log(radius) + std::log(transient);
-  return growth > std::log(energy_bound) ? std::optional(StepClass::unstable) : std::nullopt;
+// Over the run under the scene's loads, by theory.
+bool grows_in_run(const MappedSystem& mapped, double radius, double dt) {
+  return mapped.times(mapped.times.size() - 1) / dt * std::log(radius) > std::log(grown_from);
 }
 
 // Whether the limit lies within `near_limit` of the step.
@@ -138,8 +137,9 @@ StepCell step_cell(const MappedSystem& mapped, const Integrator& integrator, dou
     return cell;
   }
   const double error = error_of_steps(mapped, integrator, dt);
-  if (!(error <= runaway_from)) {
-    if (!cell.predicted) cell.predicted = prediction_of_runaway(radius, mapped.times(mapped.times.size() - 1) / dt);
+  const bool grows = grows_in_run(mapped, radius, dt);
+  if (!(error <= runaway_from) || (grows && error > lost_from)) {
+    if (!cell.predicted && grows) cell.predicted = StepClass::unstable;
     return cell;
   }
   cell.error = error;

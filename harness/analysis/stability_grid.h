@@ -1,7 +1,8 @@
 // What steps of one length make of a system, of whatever scheme and whatever it predicts:
 //
 //   unstable     E(t) > 1e4 E(0) in free vibration within so many steps, or under the scene's loads more than 1000
-//                times off the closed form, or no number, or a run that says so
+//                times off the closed form, or off by more than the whole where rho^n > 10 of the n steps of that run,
+//                or no number, or a run that says so
 //   inaccurate   neither, and under the scene's loads more than 5 % off the closed form
 //   stable       neither, and within that
 //
@@ -37,7 +38,10 @@ const char* to_string(StepClass of);  // "stable", "inaccurate", "unstable"
 constexpr double energy_bound = 1e4;      // [-] of E(t)/E(0)
 constexpr double near_limit = 2e-4;       // [-] of a step, by the above
 constexpr double inaccurate_from = 0.05;  // [-] of the error in the M norm over the scene's sample times
-constexpr double runaway_from = 1000;     // [-] likewise; that of harness/study/instability.h
+// As of runs, harness/study/instability.h:
+constexpr double runaway_from = 1000;  // [-] of that error
+constexpr double lost_from = 1;        // [-] likewise, where free vibration grows over the run
+constexpr double grown_from = 10;      // [-] rho^n
 
 // A system in modal coordinates, as project() makes it: M = I, K diagonal, the first R.cols() coordinates rigid.
 struct MappedSystem {

@@ -144,8 +144,13 @@ TEST(StabilityGrid, WhatRunsAwayInMoreStepsThanAreVibratedIsUnstable) {
   EXPECT_EQ(away.found, StepClass::unstable);
   EXPECT_TRUE(std::isnan(away.error));
   EXPECT_EQ(verdict(away), "as predicted");
-  StepCell slow = cell(mapped, "explicit-euler", 2e-4);  // by e^6.4 in the 50000 of the run
+  const StepCell lost = cell(mapped, "explicit-euler", 3e-4);  // by e^9.6 in the 33333 of the run: e^3.2 times the next
+  EXPECT_LT(lost.energy, 10);                                  // e^0.6 of its motion in 1000 steps
+  EXPECT_EQ(lost.found, StepClass::unstable);
+  EXPECT_EQ(verdict(lost), "as predicted");
+  StepCell slow = cell(mapped, "explicit-euler", 2e-4);  // by e^6.4 in the 50000 of the run, of next to nothing
   EXPECT_EQ(slow.found, StepClass::inaccurate);
+  EXPECT_LT(slow.error, lost_from);
   EXPECT_EQ(verdict(slow), "too slow to be seen");
   slow.found = StepClass::unstable;
   EXPECT_EQ(verdict(slow), "not as predicted") << "a runaway that growth does not explain";
