@@ -74,4 +74,28 @@ Commit main_commit(const Evaluation& evaluation) {
   return {name, n, n_all - n};
 }
 
+std::string commits_of(const Evaluation& evaluation) {
+  struct Made {
+    std::size_t n_records = 0, n_tables = 0;
+  };
+  std::map<std::string, Made> by;
+  for (const Record& record : evaluation.input.records)
+    if (record.provenance.contains("commit")) ++by[record.provenance.at("commit")].n_records;
+  for (const Finding& finding : evaluation.input.findings)
+    if (finding.provenance.contains("commit")) ++by[finding.provenance.at("commit")].n_tables;
+  if (by.empty()) {
+    const std::string given = main_commit(evaluation).name;
+    return given.empty() ? "" : "commit " + given;
+  }
+  if (by.size() == 1) return "commit " + by.begin()->first;
+  std::vector<std::string> all;
+  for (const auto& [commit, made] : by)
+    all.push_back(commit + " (" +
+                  joined({made.n_records > 0 ? counted(made.n_records, "record", "records") : "",
+                          made.n_tables > 0 ? counted(made.n_tables, "table", "tables") : ""},
+                         ", ") +
+                  ")");
+  return "commits " + joined(all, " and ");
+}
+
 }  // namespace mb

@@ -19,4 +19,8 @@ struct Commit {
 };
 Commit main_commit(const Evaluation& evaluation);
 
+// "commit abc" that records and tables name, or "commits abc (2 records) and def (1 record, 3 tables)" where those of
+// one kind were made since; "" where none does.
+std::string commits_of(const Evaluation& evaluation);
+
 }  // namespace mb

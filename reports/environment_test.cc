@@ -52,6 +52,20 @@ TEST(Environment, WithoutRecordsIsWhatTheCallerGave) {
   EXPECT_THAT(rows_of(input), ElementsAre(ElementsAre("processor", "one", "")));
 }
 
+TEST(Environment, CommitsAreThoseOfRecordsAndTables) {
+  ReportInput input = of_two_machines();
+  Finding table;
+  table.provenance["commit"] = "def";
+  input.findings = {table};
+  EXPECT_EQ(commits_of(evaluate(input)), "commits abc (2 records) and def (1 record, 1 table)");
+  input.records.resize(2);
+  input.findings.clear();
+  EXPECT_EQ(commits_of(evaluate(input)), "commit abc");
+  input.records.clear();
+  EXPECT_EQ(commits_of(evaluate(input)), "commit abc");  // of the environment
+  EXPECT_EQ(commits_of(evaluate(ReportInput{})), "");
+}
+
 TEST(Environment, CommandsNameTheCommitOfMostRecordsAndThatThereAreOthers) {
   EXPECT_THAT(reproducing_commands(evaluate(of_two_machines())), Contains("git checkout abc  # of 1 records another"));
   ReportInput input = of_two_machines();

@@ -133,12 +133,12 @@ Sheet verification_table(const Evaluation& evaluation) {
 }
 
 std::string verification_document(const Evaluation& evaluation) {
-  const Commit commit = main_commit(evaluation);
+  const std::string commits = commits_of(evaluation);
   const Sheet table = verification_table(evaluation),
               unbarred = unbarred_columns(evaluation.input.findings, evaluation.input.records);
   std::string text = "# Verification\n\n" + markdown_text(table.note) + "\n\n";
   text += "Made by `modalbench report` from stored results" +
-          (commit.name.empty() ? std::string() : " of commit " + markdown_text(commit.name)) +
+          (commits.empty() ? std::string() : " of " + markdown_text(commits)) +
           "; nothing here was written by hand.\n\n";
   const auto n_hold = std::ranges::count_if(evaluation.checks, [](const auto& c) { return c.holds && c.decidable; });
   text += fmt::format("{} of {} checks hold.\n\n", n_hold, evaluation.checks.size());
