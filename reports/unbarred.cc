@@ -33,8 +33,7 @@ constexpr const char* momentum =
     "steps";
 constexpr const char* drift =
     "an error itself, of 0 that exact motion keeps, by these steps: rounding, but of Euler's, between whose ends a "
-    "cubic "
-    "makes of velocities of first order up to 3/4 h g";
+    "cubic makes of velocities of first order up to 3/4 h g";
 constexpr const char* once = "a single run, taken once; times that are compared have the spread of repetitions";
 constexpr const char* by_auto = "stated, or `auto` by a closed form of the first touch";
 
