@@ -39,12 +39,10 @@ Finding map_table() {
       "order to a tenth of its own, as far as 400 thousand steps and 4e9 steps times modes go. Unstable: the energy "
       "of free vibration, all modes alike, passes 1e4 of what it was within 1000 steps, or steps under the scene's "
       "loads are more than 1000 times off the closed form of the same modes (M norm, elastic part), or off by more "
-      "than "
-      "the whole where free vibration grows more than tenfold over that run by theory, or there is no number. "
-      "Inaccurate: not so, and more than 5 % off. Spectral radius: the largest of one step over the modes, of "
-      "all of them together where damping couples them; limit: the step where it passes 1. Growth that shows neither "
-      "in 1000 steps nor in the run is too slow to be seen; at the limit, within 2e-4 of it, what is bounded may pass "
-      "1e4.",
+      "than the whole where free vibration grows more than tenfold over that run by theory, or there is no number. "
+      "Inaccurate: not so, and more than 5 % off. Spectral radius: the largest of one step over the modes, of all of "
+      "them together where damping couples them; limit: the step where it passes 1. Growth that shows neither in 1000 "
+      "steps nor in the run is too slow to be seen; at the limit, within 2e-4 of it, what is bounded may pass 1e4.",
       {{"integrator", ""},
        {"modes r", ""},
        {"system", ""},
