@@ -233,6 +233,15 @@ TEST(Matrix, ATickNeedsErrorAndBarWithinTheTarget) {
   }
 }
 
+TEST(Matrix, CarriesTheBarsOfItsErrors) {
+  ReportInput input;
+  input.records = {synthetic::record("displacement-error", 5e-3, 1e-3, synthetic::reduced("eigenmodes", 8))};
+  const Sheet table = matrix_table(evaluate(input));
+  EXPECT_EQ(table.columns[1].kind, Column::Kind::error);
+  EXPECT_EQ(table.rows[0][1].bar, 1e-3);
+  EXPECT_EQ(table.rows[0][1].status, "ok");
+}
+
 TEST(Matrix, WhatWasNotRunInACaseIsNoFailure) {
   ReportInput input = synthetic::input();
   Record other = synthetic::record("displacement-error", 0.5, 0, synthetic::reduced("other", 1));

@@ -56,7 +56,7 @@ Cell cell_of(const FindingCell& cell, double bar) {
   const double value = std::get<double>(cell);
   if (std::isnan(value)) return text_cell("n/a");
   if (std::isinf(value)) return text_cell(value > 0 ? "unbounded" : "unbounded below");
-  if (is_count(value)) return count_cell(std::lround(value));
+  if (is_count(value) && !(bar > 0)) return count_cell(std::lround(value));
   if (std::isinf(bar)) return {.text = format_with_bar(value, bar), .value = value, .status = "bar unknown"};
   if (bar > 0) {
     const std::string text = format_with_bar(value, bar), beside = " \u00b1 " + format_number(bar, 1);

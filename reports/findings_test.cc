@@ -62,6 +62,23 @@ TEST(Findings, BarsStandBesideTheirNumbersAndSayWhatTheyAreHeldTo) {
   EXPECT_THAT(csv(sheet_of(finding)), HasSubstr("1.25e-05,,bar unknown,"));
 }
 
+// 1 +- 6 is no count, nor is a force of 0 that may be 840 N.
+TEST(Findings, WholeNumbersKeepTheirBars) {
+  Finding finding;
+  finding.name = "whole";
+  finding.columns = {{"ratio", "-"}, {"force", "N"}, {"energy", "-"}, {"samples", ""}};
+  finding.rows = {{1.0, 0.0, 1.0, 5.0}};
+  finding.bars = {{6.0, 840.0, std::numeric_limits<double>::infinity(), synthetic::nan}};
+  const auto row = sheet_of(finding).rows[0];
+  EXPECT_EQ(row[0].text, "<= 7.0");
+  EXPECT_EQ(row[0].bar, 6);
+  EXPECT_EQ(row[1].text, "<= 840");
+  EXPECT_EQ(row[2].status, "bar unknown");
+  EXPECT_EQ(row[3].text, "5");
+  finding.bars[0][0] = 0.08;
+  EXPECT_EQ(sheet_of(finding).rows[0][0].text, "1.00 \u00b1 0.08");
+}
+
 TEST(Findings, RowsOfAnyLengthAreBroughtToTheColumns) {
   Finding finding = small();
   finding.rows.push_back({"short"});

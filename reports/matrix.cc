@@ -62,7 +62,9 @@ Cell cell_of(const Evaluation& evaluation, const Outcome& outcome) {
                                    : describe_size(best.contender, theory_of(evaluation, best.case_name, best.profile));
     return {.text = std::string(within ? "✔ " : "▲ ") + format_record(*outcome.error) +
                     (setting.empty() ? "" : " (" + setting + ")") + lost(outcome),
-            .value = counted_error(*outcome.error)};
+            .value = outcome.error->value,
+            .bar = outcome.error->error_bar,
+            .status = outcome.error->status};
   }
   if (outcome.n_unstable > 0) return text_cell("⚡ " + lost(outcome).substr(2));
   return text_cell(outcome.n_failed > 0 ? "✘ " + lost(outcome).substr(2) : "? undefined");
@@ -89,7 +91,7 @@ Sheet matrix_table(const Evaluation& evaluation) {
       .columns = {{"contender", ""}},
       .rows = {},
       .n_keys = 0};
-  for (const std::string& name : cases) table.columns.push_back({name, "", Column::Kind::number});
+  for (const std::string& name : cases) table.columns.push_back({name, "", Column::Kind::error});
   for (const auto& [key, by_case] : outcomes) {
     std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{text_cell(key.second)});
     for (const std::string& name : cases) {

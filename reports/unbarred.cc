@@ -22,8 +22,12 @@ constexpr const char* theory =
 constexpr const char* counted = "counted, which repeats";
 constexpr const char* missed = "of steps that miss a touch which a motion a third as large has, or the other way round";
 constexpr const char* unstepped = "known to no bar: steps twice as long are past their limit, or miss this contact";
-constexpr const char* between =
-    "on a line in logarithms between two speeds that were tried, known no better than they lie apart";
+constexpr const char* nothing = "of an answer of nothing, or of none of it: off by all of whatever truth";
+constexpr const char* unpaired = "unknown, and said to be: of a mode like which none of the finer mesh moves";
+constexpr const char* flown =
+    "of a body that flies to its first touch, which is known to rounding; or of steps that miss this contact";
+constexpr const char* on_line = "of numbers that lie on the line to rounding, whose standard error is 0";
+constexpr const char* met = "asked of this very mode, and met to rounding";
 constexpr const char* fitted = "of this mesh's modes on the same samples; rounding times the condition beside it";
 constexpr const char* conserved =
     "an error itself, of 0 that exact motion keeps, by this mesh and these steps; after impacts other rounding changes "
@@ -49,16 +53,24 @@ constexpr Reason reasons[] = {
     {"*", "standard error of time", itself},
     {"*", "standard error of tests", itself},
     {"*", "claimed", stated},
+    {"aliasing", "frame rate", stated},
+    {"aliasing", "frame error", nothing, true},
+    {"aliasing", "low-band error", nothing, true},
+    {"aliasing-claim", "frame rate", stated},
+    {"aliasing-claim", "frame error cut modal", nothing, true},
+    {"aliasing-claim", "low-band error cut modal", nothing, true},
+    {"aliasing-modes", "apparent frequency", unpaired, true},
+    {"aliasing-modes", "energy above F/2", unpaired, true},
+    {"aliasing-modes", "frame rate", stated},
+    {"aliasing-modes", "frequency", unpaired, true},
     {"amplitude", "speed", "of the rigid body at its first touch, in closed form"},
     {"amplitude", "speed/scene's", stated},
     {"amplitude", "of steps", itself},
     {"amplitude-exponents", "expected", "theory"},
     {"amplitude-limits", "error of linear", stated},
-    {"amplitude-limits", "speed", between},
-    {"amplitude-limits", "speed/scene's", between},
-    {"amplitude-limits", "largest strain", between},
-    {"amplitude-limits", "largest deformation", between},
     {"aspect", "largest residual", itself},
+    {"budget", "K norm", nothing, true},
+    {"budget", "M norm", nothing, true},
     {"contact-conditions", "condition of duration", unstepped, true},
     {"contact-conditions", "condition of impulse", unstepped, true},
     {"contact-conditions", "condition of peak force", unstepped, true},
@@ -70,7 +82,10 @@ constexpr Reason reasons[] = {
     {"collision-cost", "spread", itself},
     {"collision-cost", "time", clocked},
     {"collision-cost", "time a point", clocked},
+    {"collision-cost-claim", "exponent analytic", on_line, true},
+    {"collision-cost-claim", "exponent rival", on_line, true},
     {"collision-cost-crossover", "time ratio", clocked},
+    {"collision-cost-exponents", "exponent of tests", on_line, true},
     {"collision-cost-exponents", "theory", "theory"},
     {"contact-forces", "depth", stated},
     {"contact-forces", "error of exact", itself},
@@ -95,12 +110,13 @@ constexpr Reason reasons[] = {
     {"contact-stiffness", "change of impulse", unstepped, true},
     {"contact-stiffness", "change of peak force", unstepped, true},
     {"contact-stiffness", "duration", unstepped, true},
-    {"contact-stiffness", "first touch", unstepped, true},
+    {"contact-stiffness", "first touch", flown},
     {"contact-stiffness", "impulse", unstepped, true},
     {"contact-stiffness", "peak force", unstepped, true},
     {"contact-stiffness", "factor", stated},
     {"contact-stiffness", "k a/E*", by_auto},
     {"contact-stiffness", "stiffness", by_auto},
+    {"contacts-in-turn", "start", flown},
     {"contact-time", "share", clocked},
     {"contact-time", "time", clocked},
     {"contact-time", "time a call", clocked},
@@ -117,6 +133,12 @@ constexpr Reason reasons[] = {
     {"corrected-stability", "spectral radius", theory},
     {"corrected-stability", "stiffness factor", stated},
     {"corrected-stability-summary", "unstable from", "the least of steps that are halves of each other"},
+    {"damping", "zeta asked", stated},
+    {"damping", "zeta by decay", met, true},
+    {"damping", "zeta full", met, true},
+    {"damping-coupling-modes", "share of its energy", "of a complex mode of one undamped alone, all of it", true},
+    {"damping-of-steps", "difference", met, true},
+    {"damping-of-steps", "zeta asked", stated},
     {"damping-of-steps", "zeta of run", "of a mode that the finer mesh's run has no ratio of", true},
     {"flight-cost", "contact time", "as that run had it, whose cost it counts"},
     {"flight-cost", "flight time", chosen},
@@ -129,12 +151,16 @@ constexpr Reason reasons[] = {
     {"force-history", "time", stated},
     {"frequencies", "GCI", itself},
     {"frequencies", "reference", "published, or a closed form; its uncertainty is the bar of the errors against it"},
+    {"frequency-response", "frequency", chosen},
+    {"frequency-response", "phase", "of a real response, 0 or 180 degrees", true},
     {"instructions", "MIPS for real time", counted},
     {"instructions", "a step", counted},
     {"instructions", "instructions", counted},
     {"instructions", "real-time factor", clocked},
     {"instructions", "share counted", counted},
     {"instructions", "time", clocked},
+    {"locking", "nu", stated},
+    {"mode-amplitude-exponents", "theory", "theory"},
     {"records", "angular-drift", conserved},
     {"records", "assembly-time", once},
     {"records", "energy-defect", conserved},
@@ -154,7 +180,8 @@ constexpr Reason reasons[] = {
     {"stability-map", "spectral radius", theory},
     {"step-limit-runs", "dt / limit", stated},
     {"step-limit-runs", "growth by theory", theory},
-    {"step-limits", "dt formula", "of a limit of 0, where no step is stable", true},
+    {"step-limit-exponents", "exponent", on_line, true},
+    {"step-limits", "dt formula", "of full order: of this mesh's own frequency, to rounding; or a limit of 0", true},
     {"step-limits", "dt measured", "of a limit of 0, where no step is stable", true},
     {"step-limits", "omega deciding", "of full order: this mesh's own, to rounding", true},
     {"step-limits", "omega max", "of full order: this mesh's own, to rounding", true},
@@ -174,13 +201,16 @@ struct Numbers {
 
 using Columns = std::map<std::pair<std::string, std::string>, Numbers>;  // by the names of table and column
 
+// A distance of 0 to what is beside a number tells nothing of how far that may be off, unless it is one itself.
+bool is_bar(double bar, double number) { return std::isfinite(bar) && (bar > 0 || number == 0); }
+
 void count(const Finding& finding, Columns& columns) {
   for (std::size_t i = 0; i < finding.rows.size(); ++i)
     for (std::size_t j = 0; j < finding.columns.size(); ++j) {
       const auto& [name, unit] = finding.columns[j];
       const double* number = std::get_if<double>(&finding.rows[i][j]);
       if (unit.empty() || !number || !std::isfinite(*number)) continue;
-      columns[{finding.name, name}].add(unit, !finding.bars.empty() && std::isfinite(finding.bars[i][j]));
+      columns[{finding.name, name}].add(unit, !finding.bars.empty() && is_bar(finding.bars[i][j], *number));
     }
 }
 

@@ -14,7 +14,7 @@ TEST(UnbarredColumns, AreThoseWithNumbersThatHaveNoBar) {
   finding.name = "stability-map";
   finding.columns = {{"integrator", ""}, {"dt", "s"}, {"energy", "-"}, {"error", "-"}, {"count", ""}, {"none", "m"}};
   finding.rows = {{"newmark", 0.1, 1.0, 2.0, 3.0, NAN}, {"newmark", 0.2, 1.0, 2.0, 3.0, INFINITY}};
-  finding.bars = {{NAN, NAN, NAN, NAN, NAN, NAN}, {NAN, NAN, NAN, 0.0, NAN, NAN}};
+  finding.bars = {{NAN, NAN, NAN, NAN, NAN, NAN}, {NAN, NAN, NAN, 0.5, NAN, NAN}};
   const Sheet sheet = unbarred_columns({finding}, {});
   ASSERT_EQ(sheet.rows.size(), 3u);
   EXPECT_EQ(sheet.rows[0][1].text, "dt");
@@ -24,6 +24,19 @@ TEST(UnbarredColumns, AreThoseWithNumbersThatHaveNoBar) {
   EXPECT_EQ(sheet.rows[2][1].text, "error");
   EXPECT_EQ(sheet.rows[2][3].text, "2");
   EXPECT_EQ(sheet.rows[2][4].text, "1");
+}
+
+// A distance of 0 to a neighbour that shares all it depends on, or that has no such number, is no uncertainty.
+TEST(UnbarredColumns, AreThoseWithBarsOfZeroToo) {
+  Finding finding;
+  finding.name = "budget";
+  finding.columns = {{"same", "-"}, {"nothing", "-"}, {"unknown", "-"}};
+  finding.rows = {{2.0, 0.0, 2.0}};
+  finding.bars = {{0.0, 0.0, INFINITY}};
+  const Sheet sheet = unbarred_columns({finding}, {});
+  ASSERT_EQ(sheet.rows.size(), 2u);
+  EXPECT_EQ(sheet.rows[0][1].text, "same");
+  EXPECT_EQ(sheet.rows[1][1].text, "unknown");
 }
 
 TEST(UnbarredColumns, HaveReasonsOfTheirTable) {

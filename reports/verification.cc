@@ -110,10 +110,13 @@ Sheet verification_table(const Evaluation& evaluation) {
           "goes from n to n + 1 instead (Babuska and Suri 1987); p is the least order that errors may have: of strain "
           "in the norm of energy and of what is largest over a body 0.71 at a clamp for Poisson's ratio 0.3, 0.59 for "
           "1/2 (Williams 1952), 1 where loads and contacts end, and twice that of displacement in the mean and of "
-          "frequency. Tests hold it to a third mesh. Numbers of one place and largest values are known no better than "
+          "frequency. Tests hold it to a third mesh in held and free bodies of small strain and in one that falls on a "
+          "floor; "
+          "not with friction, of two bodies or of finite strain. Numbers of one place and largest values are known no "
+          "better than "
           "twice the whole motion is. Where only the cells about a contact are halved, the distance is that part's: "
-          "what both "
-          "meshes lack of the mass is added, and where there is a closed form the distance to that is the least. Of "
+          "what both meshes lack of the mass is added, and where there is a closed form the distance to that is the "
+          "least. Of "
           "relative errors e all that times 1 + e. Of closed forms the uncertainty is that of their series. A check "
           "holds only where every value within it is inside the tolerance.",
       .columns = {},

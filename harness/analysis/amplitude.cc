@@ -44,14 +44,16 @@ Finding sweep_table() {
 }
 
 Finding limit_table() {
-  return table("amplitude", "amplitude-limits", "The speed up to which linear theory holds",
-               "Where the error of linear theory passes the limit, on lines in logarithms between the speeds tried.",
-               {{"error of linear", "-"},
-                {"passed", ""},
-                {"speed", "m/s"},
-                {"speed/scene's", "-"},
-                {"largest strain", "-"},
-                {"largest deformation", "-"}});
+  return table(
+      "amplitude", "amplitude-limits", "The speed up to which linear theory holds",
+      "Where the error of linear theory passes the limit, on lines in logarithms between the speeds tried. Bars: "
+      "the distance to the farther of the two.",
+      {{"error of linear", "-"},
+       {"passed", ""},
+       {"speed", "m/s"},
+       {"speed/scene's", "-"},
+       {"largest strain", "-"},
+       {"largest deformation", "-"}});
 }
 
 Finding exponent_table() {
@@ -95,14 +97,19 @@ void add_row(Finding& found, const AmplitudeRow& row) {
 void add_limit(Finding& found, const Rows& rows, double limit) {
   const VectorXd error = values(rows, &AmplitudeRow::of_linear);
   const auto where = [&](double AmplitudeRow::*x) { return where_passed(values(rows, x), error, limit); };
-  const double speed = where(&AmplitudeRow::speed);
+  const double speed = where(&AmplitudeRow::speed).at;
   if (!(error.array() >= 0).any() || speed == 0 || std::isinf(speed)) {
     const char* side = !(error.array() >= 0).any() ? "unknown" : speed == 0 ? "below all speeds" : "beyond all speeds";
     found.rows.push_back({limit, side, not_applicable(), not_applicable(), not_applicable(), not_applicable()});
     return;
   }
-  found.rows.push_back({limit, "between them", speed, where(&AmplitudeRow::factor), where(&AmplitudeRow::strain),
-                        where(&AmplitudeRow::deformation)});
+  const Passed factor = where(&AmplitudeRow::factor), strain = where(&AmplitudeRow::strain),
+               deformation = where(&AmplitudeRow::deformation);
+  found.rows.push_back({limit, "between them", speed, factor.at, strain.at, deformation.at});
+  bar_last_row(found, {{"speed", where(&AmplitudeRow::speed).bar},
+                       {"speed/scene's", factor.bar},
+                       {"largest strain", strain.bar},
+                       {"largest deformation", deformation.bar}});
 }
 
 void add_fit(Finding& found, const Rows& rows, const char* with, double AmplitudeRow::*x, double expected) {

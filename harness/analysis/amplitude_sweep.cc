@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "harness/analysis/contact_variants.h"
+#include "harness/analysis/modal_body.h"
 #include "harness/metrics/motion.h"
 #include "harness/study/truth.h"
 #include "modal/bases/eigenmodes.h"
@@ -102,7 +103,9 @@ class Sweep {
   }
 
  private:
-  Model model(const Scene& scene) const { return make_model(std::make_shared<const Scene>(scene), own_meshes(scene_)); }
+  Model model(const Scene& scene) const {
+    return model_of_own_mesh(std::make_shared<const Scene>(scene), own_meshes(scene_));
+  }
   static Model with_scene(const Model& of, const Scene& scene) {
     return {std::make_shared<const Scene>(scene), of.bodies};
   }
@@ -157,7 +160,7 @@ std::vector<AmplitudeRow> amplitude_sweep(const AnalysisContext& context, const 
   return rows;
 }
 
-double where_passed(const VectorXd& x, const VectorXd& y, double limit) {
+Passed where_passed(const VectorXd& x, const VectorXd& y, double limit) {
   Index below = -1;
   for (Index i = 0; i < x.size(); ++i) {
     if (!std::isfinite(y[i])) continue;
@@ -165,11 +168,12 @@ double where_passed(const VectorXd& x, const VectorXd& y, double limit) {
       below = i;
       continue;
     }
-    if (below < 0) return 0;
+    if (below < 0) return {0, 0};
     const double share = std::log(limit / y[below]) / std::log(y[i] / y[below]);
-    return x[below] * std::pow(x[i] / x[below], share);
+    const double at = x[below] * std::pow(x[i] / x[below], share);
+    return {at, std::max(x[i] - at, at - x[below])};
   }
-  return std::numeric_limits<double>::infinity();
+  return {std::numeric_limits<double>::infinity(), 0};
 }
 
 double largest_principal(const MatrixXd& strain) {

@@ -41,7 +41,10 @@ std::vector<AmplitudeRow> amplitude_sweep(const AnalysisContext& context, const 
 
 // Where y, at least one, passes the limit for the first time over ascending x, both > 0, by a line in logarithms: 0
 // where it lies above already at the first, infinity where nowhere. Points that are not finite are left out.
-double where_passed(const VectorXd& x, const VectorXd& y, double limit);
+struct Passed {
+  double at, bar;  // the bar: distance to the farther of the two points that it lies between
+};
+Passed where_passed(const VectorXd& x, const VectorXd& y, double limit);
 
 double largest_principal(const MatrixXd& strain);  // [-] in magnitude; 6 p x n_t, Voigt with engineering shear
 

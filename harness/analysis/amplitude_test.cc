@@ -43,12 +43,14 @@ TEST(Amplitude, RefusesBodiesThatSpinOrNeverMeet) {
 
 TEST(Amplitude, LimitsLieOnLinesInLogarithms) {
   const VectorXd x{{1, 2, 4, 8}}, square = 1e-3 * x.array().square();
-  EXPECT_NEAR(where_passed(x, square, 0.01), std::sqrt(10), 1e-12);
-  EXPECT_EQ(where_passed(x, square, 1e-4), 0);
-  EXPECT_TRUE(std::isinf(where_passed(x, square, 1)));
+  EXPECT_NEAR(where_passed(x, square, 0.01).at, std::sqrt(10), 1e-12);
+  EXPECT_EQ(where_passed(x, square, 1e-4).at, 0);
+  EXPECT_TRUE(std::isinf(where_passed(x, square, 1).at));
   VectorXd failed = square;
   failed[2] = NAN;  // between its neighbours
-  EXPECT_NEAR(where_passed(x, failed, 0.01), std::sqrt(10), 1e-12);
+  EXPECT_NEAR(where_passed(x, failed, 0.01).at, std::sqrt(10), 1e-12);
+  EXPECT_NEAR(where_passed(x, square, 0.01).bar, std::sqrt(10) - 2, 1e-12);
+  EXPECT_NEAR(where_passed(x, failed, 0.01).bar, 8 - std::sqrt(10), 1e-12);
 }
 
 TEST(Amplitude, PrincipalStrainsKnowNoAxes) {

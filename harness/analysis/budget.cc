@@ -78,6 +78,10 @@ std::string in_words(const AnalysisContext& context) {
       context.truth.exact ? ", closed form of the continuum" : "");
 }
 
+std::optional<double> exact_bar(const AnalysisContext& context) {
+  return context.truth.exact ? std::optional(context.truth.exact_bar) : std::nullopt;
+}
+
 class Budget {
  public:
   explicit Budget(const AnalysisContext& context)
@@ -85,7 +89,7 @@ class Budget {
         body_(context.scene->bodies.front()),
         points_(evaluation_points(*context.scene, body_)),
         metric_{*context.scene, 0, points_, is_free(context)},
-        tables_(in_words(context)) {
+        tables_(in_words(context), exact_bar(context)) {
     // Modes are of small strains, full order is not where the body is finite.
     const bool finite = body_.kinematics == Kinematics::finite;
     full_.push_back({finite ? "truncation + finite strain" : "truncation", normed(context.truth.same_mesh)});

@@ -63,7 +63,10 @@ std::vector<BudgetLink> merged(const std::vector<BudgetLink>& chain) {
   return all;
 }
 
-BudgetTables::BudgetTables(const std::string& answers) : parts_(parts_table(answers)), cross_(cross_table()) {}
+BudgetTables::BudgetTables(const std::string& answers, std::optional<double> exact_bar)
+    : parts_(parts_table(answers)), cross_(cross_table()), exact_bar_(exact_bar) {
+  if (exact_bar) parts_.note += " Bars of what is told against the closed form: at least that of its series.";
+}
 
 void BudgetTables::add(const BudgetOf& of, const std::vector<BudgetLink>& chain) {
   const std::vector<BudgetLink> links = merged(chain);
@@ -79,10 +82,12 @@ void BudgetTables::add(const BudgetOf& of, const std::vector<BudgetLink>& chain)
   for (Index a = 0; a < M.parts.size(); ++a) {
     const std::string& name = links[static_cast<size_t>(a) + 1].name;
     parts_.rows.push_back(row(name, M.parts(a), K.parts(a)));
+    if (exact_bar_ && a + 1 == M.parts.size()) bar_last_row(parts_, {{"M norm", *exact_bar_}, {"K norm", *exact_bar_}});
     for (Index b = a + 1; b < M.parts.size(); ++b)
       cross_.rows.push_back(row(name + " x " + links[static_cast<size_t>(b) + 1].name, M.cross(a, b), K.cross(a, b)));
   }
   parts_.rows.push_back(row("total", M.total, K.total));
+  if (exact_bar_) bar_last_row(parts_, {{"M norm", *exact_bar_}, {"K norm", *exact_bar_}});
 }
 
 }  // namespace mb

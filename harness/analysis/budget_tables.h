@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,13 +33,16 @@ struct BudgetOf {
 
 class BudgetTables {
  public:
-  explicit BudgetTables(const std::string& answers);  // "modal in time steps, ...": they in words
+  // answers: "modal in time steps, ...", they in words. exact_bar: [-] of the last one of all chains, relative to it,
+  // where that is a closed form.
+  explicit BudgetTables(const std::string& answers, std::optional<double> exact_bar = {});
   void add(const BudgetOf& of, const std::vector<BudgetLink>& chain);
   void note(const std::string& sentence) { parts_.note += " " + sentence; }
   std::vector<Finding> findings() && { return {std::move(parts_), std::move(cross_)}; }
 
  private:
   Finding parts_, cross_;
+  std::optional<double> exact_bar_;
 };
 
 }  // namespace mb

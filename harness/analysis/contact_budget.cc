@@ -8,6 +8,7 @@
 
 #include "harness/analysis/budget_tables.h"
 #include "harness/analysis/contact_variants.h"
+#include "harness/analysis/modal_body.h"
 #include "harness/analysis/told.h"
 #include "harness/study/truth.h"
 
@@ -33,13 +34,13 @@ class ContactBudget {
         scene_(*context.scene),
         finite_(
             std::ranges::any_of(scene_.bodies, [](const Body& body) { return body.kinematics == Kinematics::finite; })),
-        tables_(in_words(finite_)),
+        exact_(context.truth.exact && context.truth.exact->bodies.front().displacement.cols() > 0),
+        tables_(in_words(finite_), exact_ ? std::optional(context.truth.exact_bar) : std::nullopt),
         beside_(in_words(finite_)),
         variants_(context) {
     for (const Body& body : scene_.bodies) points_.push_back(evaluation_points(scene_, body));
     finite_ ? add_finite_truths() : add_truths("truncation");
-    const std::optional<Trajectory>& exact = context.truth.exact;
-    if (exact && exact->bodies.front().displacement.cols() > 0) add_full("finer mesh", *exact, *exact);
+    if (exact_) add_full("finer mesh", *context.truth.exact, *context.truth.exact);
   }
 
   void add(const std::string& method, int r) {
@@ -132,7 +133,7 @@ class ContactBudget {
   }
 
   std::optional<Trajectory> linear_truth(const std::string& what, const Resolution& mesh, double rtol) {
-    const Model model = make_model(std::make_shared<const Scene>(linearised(scene_)), mesh);
+    const Model model = model_of_own_mesh(std::make_shared<const Scene>(linearised(scene_)), mesh);
     Settings settings;
     settings.relative_tolerance = rtol;
     return tried(what, [&] {
@@ -144,6 +145,7 @@ class ContactBudget {
   const AnalysisContext& context_;
   const Scene& scene_;
   bool finite_;                   // any body
+  bool exact_;                    // a closed form that has more than the contact
   BudgetTables tables_, beside_;  // of the truths and of their neighbours
   ContactVariants variants_;
   std::vector<EvaluationPoints> points_;        // of every body

@@ -19,8 +19,9 @@ Finding contacts_table() {
   return table("contact-stiffness", "contacts-in-turn", "Contacts one by one",
                "Touches that follow each other within half of the first one's duration are one contact. Errors against "
                "the truth's same contact, relative, that of the start to the duration of the truth's first; their "
-               "bars 5/4 of the distance to those against its coarser mesh, more where that is near; of the values "
-               "themselves as much of what steps twice as long, or ten times the tolerance, move. Empty: it has no "
+               "bars 5/4 of the distance to those against its coarser mesh, more where that is near, or against a "
+               "closed form that of its series; of the values themselves as much of what steps twice as long, or ten "
+               "times the tolerance, move. Empty: it has no "
                "such contact.",
                {{"contact", ""},
                 {"contender", ""},
@@ -85,10 +86,22 @@ std::array<double, 4> sizes(std::array<double, 4> of) {
   return of;
 }
 
-// The truth, and its neighbour, whose distance is its bar.
+// The truth, and its neighbour, whose distance is its bar; of a closed form [-] that of its series.
 struct Truths {
   Contacts truth, neighbour;
+  double exact_bar = 0;
 };
+
+// Of errors e relative to a closed form at least its own bar, times 1 + e.
+void bar_errors(Finding& contacts, double exact_bar) {
+  for (size_t j = 0; j < contacts.columns.size(); ++j) {
+    if (!contacts.columns[j].name.starts_with("error of")) continue;
+    for (size_t i = 0; i < contacts.rows.size(); ++i) {
+      const double error = std::get<double>(contacts.rows[i][j]);
+      contacts.bars[i][j] = std::fmax(contacts.bars[i][j], exact_bar * (1 + error));
+    }
+  }
+}
 
 // Of one contender, as it is and with the stiffer layer.
 struct Answers {
@@ -154,7 +167,7 @@ std::vector<Finding> contact_conditions(const ContactVariants& variants, const A
   Truths truths{contacts_in(context.truth.finer), contacts_in(context.truth.coarser)};
   if (context.truth.exact) {  // a closed form may end with the first contact
     Contacts exact = contacts_in(*context.truth.exact);
-    if (exact.size() >= truths.truth.size()) truths = {exact, exact};
+    if (exact.size() >= truths.truth.size()) truths = {exact, exact, context.truth.exact_bar};
   }
   std::vector<Finding> beside{contacts_table(), conditions_table()};
   for (const ContactContender& of : contenders(variants, context, truths.truth)) {
@@ -164,6 +177,7 @@ std::vector<Finding> contact_conditions(const ContactVariants& variants, const A
     add_rows(found, beside, of, answers, coarse, truths);
   }
   add_bars(found, beside, PerDistance(context.truth.per_distance.mean));
+  if (truths.exact_bar > 0) bar_errors(found[0], truths.exact_bar);
   return found;
 }
 

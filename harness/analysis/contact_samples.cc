@@ -18,7 +18,8 @@ Finding samples_table() {
                "the bodies touch first, growing with the distance; contenders use a half. Changes are against the "
                "finest, the most modes and the least step of the study in all. Bars of what is told against the truth: "
                "its distance to its coarser mesh and between two tolerances; of values their distance to the finest "
-               "and, of these and of changes, too, how far the finest are from the next.",
+               "and what another mesh moves in full order and, of these and of changes, too, how far the finest are "
+               "from the next.",
                {{"method", ""},
                 {"modes r", ""},
                 {"size / a", "-"},
@@ -48,14 +49,16 @@ double bar_of(const TruthSet& truth, double per_distance, double FirstImpact::*p
 }
 
 // The last row's bars of values and changes: `now` against the finest, and these against the next.
-void bar_values(Finding& found, const FirstImpact& now, const FirstImpact& next, const FirstImpact& best) {
+void bar_values(Finding& found, const FirstImpact& now, const FirstImpact& next, const FirstImpact& best,
+                const AnalysisContext& context) {
   constexpr std::tuple<const char*, const char*, double FirstImpact::*> told[] = {
       {"duration", "change of duration", &FirstImpact::duration},
       {"peak force", "change of peak force", &FirstImpact::peak},
       {"impulse", "change of impulse", &FirstImpact::impulse}};
   for (const auto& [value, change, part] : told) {
     const double off = std::abs(now.*part - best.*part), left = std::abs(next.*part - best.*part);
-    bar_last_row(found, {{value, off + left}, {change, left / std::abs(best.*part)}});
+    const double mesh = mesh_bar(context, part) * std::abs(now.*part);
+    bar_last_row(found, {{value, off + left + mesh}, {change, left / std::abs(best.*part)}});
   }
 }
 
@@ -89,7 +92,7 @@ Finding contact_samples(const ContactVariants& variants, const AnalysisContext& 
                             change(now.impulse, real.impulse)});
       bar_last_row(found, {{"peak force against truth", of_peak * std::abs(now.peak / real.peak)},
                            {"impulse against truth", of_impulse * std::abs(now.impulse / real.impulse)}});
-      bar_values(found, now, impacts[impacts.size() - 2], best);
+      bar_values(found, now, impacts[impacts.size() - 2], best, context);
     }
   }
   return found;

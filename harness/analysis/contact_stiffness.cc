@@ -17,7 +17,8 @@ Finding stiffness_table() {
                "The first contact with the layer's stiffness halved, as it is, and doubled; changes are against `as it "
                "is` of the same contender. A layer of stiffness k adds F/(k pi a^2) to the approach of a contact of "
                "radius a: where k a/E* is a hundred, halving it changes the approach by 0.3 %. Bars: what steps twice "
-               "as long, or ten times the tolerance, move; of changes those of both answers.",
+               "as long, or ten times the tolerance, move, and of values what another mesh moves in full order; of "
+               "changes, which are all of this mesh, the steps of both answers.",
                {{"contact", ""},
                 {"contender", ""},
                 {"modes r", ""},
@@ -42,7 +43,7 @@ struct Varied {
 };
 
 // What stands in the row's last columns, and the bars of these.
-void finish_row(Finding& found, const Varied& now, const Varied& as_it_is) {
+void finish_row(Finding& found, const Varied& now, const Varied& as_it_is, const AnalysisContext& context) {
   constexpr double FirstImpact::*all[] = {&FirstImpact::start, &FirstImpact::duration, &FirstImpact::peak,
                                           &FirstImpact::impulse};
   constexpr const char* names[] = {"first touch", "duration", "peak force", "impulse"};
@@ -50,7 +51,7 @@ void finish_row(Finding& found, const Varied& now, const Varied& as_it_is) {
   std::vector<FindingCell>& row = found.rows.back();
   for (size_t i = 0; i < 4; ++i) {
     row.emplace_back(now.fine.*all[i]);
-    bars.emplace_back(names[i], now.bar(all[i]));
+    bars.emplace_back(names[i], now.bar(all[i]) + mesh_bar(context, all[i]) * std::abs(now.fine.*all[i]));
   }
   constexpr const char* changes[] = {"change of duration", "change of peak force", "change of impulse"};
   for (size_t i = 1; i < 4; ++i) {
@@ -84,7 +85,7 @@ std::vector<Finding> contact_stiffness(const AnalysisContext& context) {
       found.rows.push_back({scene.contacts[meeting.contact].obstacle, contender,
                             answer.modes < 0 ? not_applicable() : count(answer.modes), factor, k,
                             lumped ? not_applicable() : number(k * meeting.size.radius / meeting.size.modulus)});
-      finish_row(found, now, as_it_is);
+      finish_row(found, now, as_it_is, context);
     }
   };
   for (const Meeting& meeting : down.meetings) {

@@ -24,6 +24,7 @@ using Eigen::RowVectorXd;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Index n_frequencies = 40;
+constexpr double peak_to = 1e-4;  // [-] golden section in frequency (peak.h)
 constexpr int highest_mode = 24;  // elastic: where the range ends
 
 Finding curves_table(const Probe& probe, bool damped) {
@@ -45,7 +46,7 @@ Finding errors_table() {
       "frequency-response", "frequency-response-error", "Error of reduced frequency responses",
       "Error: root of the sum over the frequencies of |u_r - u|^2 over that of |u|^2, complex, so that phase "
       "counts. Largest deviation: the largest |u_r - u| / |u|, and where. Bars: twice the distance to the same on the "
-      "finer mesh of the case.",
+      "finer mesh of the case; of where, at least the next of the frequencies that are looked at.",
       {{"load", ""}, {"contender", ""}, {"modes r", ""}, {"error", "-"}, {"largest deviation", "-"}, {"at", "Hz"}});
 }
 
@@ -160,6 +161,8 @@ class Responses {
     const double largest = difference.cwiseAbs().cwiseQuotient(full.cwiseAbs()).maxCoeff(&at);
     errors_.rows.push_back(
         {load_name(scene_, load), a.contender, a.r, difference.norm() / full.norm(), largest, f_(at)});
+    const Index before = std::max<Index>(at - 1, 0), after = std::min(at + 1, f_.size() - 1);
+    bar_last_row(errors_, {{"at", std::max(f_(at) - f_(before), f_(after) - f_(at))}});
   }
   struct Bracket {
     Index load;
@@ -173,6 +176,7 @@ class Responses {
       if (!a.is_drawn) continue;
       const Peak peak = highest_of(a.response, at);
       peaks_.rows.push_back({a.contender, load_name(scene_, at.load), a.r, peak.at, peak.height});
+      bar_last_row(peaks_, {{"frequency", peak_to * peak.at}});
     }
   }
 

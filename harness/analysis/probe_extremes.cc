@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "harness/analysis/analyses.h"
+#include "harness/analysis/modal_body.h"
 #include "mechanics/system/static_response.h"
 #include "modal/bases/eigenmodes.h"
 
@@ -45,6 +46,14 @@ double static_value(const AnalysisContext& context, const Probe& probe) {
   return probe.direction.dot(at);
 }
 
+// Of the last row: values are off by what the series is, of the largest displacement; a time by how far an extreme of
+// that height may be from the next sample.
+void bar_exact(Finding& table, const TruthSet& truth) {
+  const double off = truth.exact_bar * truth.exact->bodies.front().displacement.cwiseAbs().maxCoeff();
+  const double sample = truth.exact->t[1] - truth.exact->t[0];
+  bar_last_row(table, {{"largest", off}, {"at (largest)", sample}, {"smallest", off}, {"at (smallest)", sample}});
+}
+
 }  // namespace
 
 std::vector<Finding> probe_extremes(const AnalysisContext& context) {
@@ -54,7 +63,8 @@ std::vector<Finding> probe_extremes(const AnalysisContext& context) {
   table.analysis = table.name = "probe-extremes";
   table.title = "Largest and smallest probe values";
   table.note =
-      "By the parabola through the extreme sample and its neighbours. Static: displacement under the loads at the end, "
+      "By the parabola through the extreme sample and its neighbours; of a closed form with the bar of its series, of "
+      "times with a sample. Static: displacement under the loads at the end, "
       "body's mesh; a free body in balance with its inertia; its bar, twice the distance to that of the finer mesh of "
       "the case. Over it: the extreme on its side.";
   table.columns = {{"probe", ""},     {"truth", ""},          {"largest", "m"}, {"at (largest)", "s"},
@@ -72,7 +82,10 @@ std::vector<Finding> probe_extremes(const AnalysisContext& context) {
     const double at_rest = static_value(context, probe);
     add(probe, place, "finer", context.truth.finer, at_rest);
     add(probe, place, "same_mesh", context.truth.same_mesh, at_rest);
-    if (context.truth.exact) add(probe, place, "exact", *context.truth.exact, at_rest);
+    if (context.truth.exact) {
+      add(probe, place, "exact", *context.truth.exact, at_rest);
+      bar_exact(table, context.truth);
+    }
     ++place;
   }
   return {table};

@@ -12,7 +12,7 @@ namespace mb {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 
 TruthSet neighbour_of(const TruthSet& truth) {
   TruthSet other = truth;
@@ -132,6 +132,16 @@ std::optional<ElasticPairs> pairs_of(const std::vector<Finding>& findings, const
   return ElasticPairs{body.modes.n_rigid, mode_pairs(seen_modes(body).shapes, other.shapes)};
 }
 
+// What was known to 0 by one neighbour, and has nothing beside it in another that moves the column, is known to
+// nothing.
+void forget_zeros(Finding& finding, const RowPairs& beside) {
+  for (std::size_t j = 0; j < finding.columns.size(); ++j) {
+    if (std::ranges::none_of(finding.bars, [&](const auto& bars) { return bars[j] > 0; })) continue;
+    for (std::size_t i = 0; i < finding.rows.size(); ++i)
+      if (beside[i].empty() && finding.bars[i][j] == 0) finding.bars[i][j] = infinity;
+  }
+}
+
 }  // namespace
 
 void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, PerDistance per_distance,
@@ -148,6 +158,7 @@ void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighb
           finding.bars[i][j] = std::fmax(
               finding.bars[i][j], (is_of_least_order(finding.columns[j]) ? per_distance.local : per_distance.mean) *
                                       distance(finding.columns[j], finding.rows[i][j], other->rows[k][j]));
+    forget_zeros(finding, beside);
   }
 }
 

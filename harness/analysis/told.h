@@ -25,7 +25,8 @@ std::vector<Finding> told(const Analysis& analysis, const AnalysisContext& conte
 // of its own stay where they are larger. Of a table with a column "mode", counted from the first elastic one, or
 // "undamped mode", from the first, rows are those of modes that move alike, where `elastic` says which: the largest bar
 // of several, and of several rows of a mode the one in the same place; rows in the same place where the other table has
-// none of these modes.
+// none of these modes. A bar of 0 from before, in a column whose other rows have one, is infinite where no row is
+// beside.
 void add_bars(std::vector<Finding>& findings, const std::vector<Finding>& neighbours, PerDistance per_distance,
               const ElasticPairs* elastic = nullptr);
 

@@ -124,6 +124,17 @@ TEST(AddBars, AreOfTheRowsThatBothHaveByTheirCounts) {
   EXPECT_TRUE(std::isnan(found[0].bars.at(2)[2])) << "no row";
 }
 
+// One neighbour leaves a number as it is, another has none like it: that is no uncertainty of 0.
+TEST(AddBars, AreUnknownWhereOneNeighbourMovesNothingAndAnotherHasNoRow) {
+  std::vector<Finding> found{one({{"x", 4.0, 0.5}, {"x", 8.0, 0.5}, {"x", 9.0, 0.5}})};
+  add_bars(found, {one({{"x", 4.0, 0.5}, {"x", 8.0, 0.5}, {"x", 9.0, 0.5}})}, PerDistance(1));
+  EXPECT_EQ(found[0].bars.at(1)[2], 0) << "both have it, and the same";
+  add_bars(found, {one({{"x", 4.0, 0.625}, {"x", 8.0, 0.5}})}, PerDistance(1));
+  EXPECT_EQ(found[0].bars[0][2], 0.125);
+  EXPECT_EQ(found[0].bars[1][2], 0) << "both have it, and the same";
+  EXPECT_TRUE(std::isinf(found[0].bars[2][2])) << "no row";
+}
+
 TEST(AddBars, LargerOnesOfTheTableItselfStay) {
   std::vector<Finding> found{one({{"x", 4.0, 0.5}})};
   found[0].bars = {{nan, nan, 0.2}};
