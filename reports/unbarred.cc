@@ -26,6 +26,8 @@ constexpr const char* nothing = "of an answer of nothing, or of none of it: off 
 constexpr const char* unpaired = "unknown, and said to be: of a mode like which none of the finer mesh moves";
 constexpr const char* flown =
     "of a body that flies to its first touch, which is known to rounding; or of steps that miss this contact";
+constexpr const char* on_steps =
+    "of a first touch after a flight, known to rounding; of a later one that begins and ends with a step, to a step";
 constexpr const char* on_line = "of numbers that lie on the line to rounding, whose standard error is 0";
 constexpr const char* met = "asked of this very mode, and met to rounding";
 constexpr const char* fitted = "of this mesh's modes on the same samples; rounding times the condition beside it";
@@ -116,7 +118,8 @@ constexpr Reason reasons[] = {
     {"contact-stiffness", "factor", stated},
     {"contact-stiffness", "k a/E*", by_auto},
     {"contact-stiffness", "stiffness", by_auto},
-    {"contacts-in-turn", "start", flown},
+    {"contacts-in-turn", "duration", on_steps, true},
+    {"contacts-in-turn", "start", on_steps},
     {"contact-time", "share", clocked},
     {"contact-time", "time", clocked},
     {"contact-time", "time a call", clocked},

@@ -1,4 +1,5 @@
 // Analyses of contact through the program, of a ball of jelly that falls on a floor.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "cases/scene/read_toml.h"
+#include "harness/analysis/context_test.h"
 #include "harness/program_test.h"
 #include "harness/store/scratch_folder_test.h"
 #include "harness/store/store.h"
@@ -192,6 +195,21 @@ TEST_F(ContactAnalysesCases, NumbersOfAnswersHaveBars) {
 TEST_F(ContactAnalysesCases, ColumnsHaveBarsOrAReason) {
   for (const auto& row : unbarred_columns(findings(), {}).rows)
     EXPECT_NE(row.back().text, "") << row[0].text << ", column " << row[1].text;
+}
+
+// Its truths may be there, made where there was more memory: the mesh itself is asked for here.
+TEST(ContactBudgetCases, AFinerMeshBeyondMemoryIsRefusedWithTheEstimate) {
+  const ScratchFolder scratch;
+  written(scratch / "ball.toml", ball);
+  Scene scene = read_toml(scratch / "ball.toml", default_catalogue().vocabulary());
+  scene.duration = 0.11;
+  scene.truth.finer = {.degree = 4, .cells = {1024}};  // 4e12 unknowns
+  try {
+    test::analysed("budget", scene);
+    ADD_FAILURE() << "a mesh of a thousand terabytes was made";
+  } catch (const std::exception& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("out of memory: takes about"));
+  }
 }
 
 }  // namespace
