@@ -17,6 +17,8 @@ std::string bound(const Check& check) {
 Cell measured_cell(const CheckResult& result) {
   if (!result.measured) return text_cell("none");
   if (!result.check.status.empty()) return text_cell(result.status);
+  const bool is_count = result.unit.empty() && !result.check.table.empty() && result.value == std::floor(result.value);
+  if (is_count && std::abs(result.value) < 1e9) return count_cell(std::lround(result.value));
   const double bound = result.check.at_most ? *result.check.at_most : result.check.at_least.value_or(0);
   const bool is_close = std::abs(result.value - bound) <= 0.01 * std::abs(bound);
   return {.text = is_close ? format_number(result.value, 7) : format_with_bar(result.value, result.error_bar),
