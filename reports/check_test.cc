@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "cases/contract/status.h"
-#include "reports/check_cells.h"
 #include "reports/synthetic.h"
 
 namespace mb {
@@ -283,20 +282,6 @@ TEST(CheckResults, CellsWithoutANumberAndColumnsThatAreMissingAreNotMeasured) {
   EXPECT_FALSE(of_table("no such", "", 1).holds);
   EXPECT_EQ(of_table("no such", "", 1).status, "no column 'no such'");
   EXPECT_EQ(of_table("zeta ful", "", 1).status, "no column 'zeta ful': did you mean 'zeta full'?");
-}
-
-// 2 rows of 2 are 2; a ratio of 1.0000001 to hold below 1.001 is not 1.
-TEST(CheckCells, CountsAreWholeAndWhatIsCloseToItsBoundHasMoreDigits) {
-  CheckResult result{};
-  result.measured = true;
-  result.check.table = "step-limit-summary";
-  result.check.at_least = 2;
-  result.value = 2;
-  EXPECT_EQ(measured_cell(result).text, "2");
-  result.unit = "-";
-  EXPECT_EQ(measured_cell(result).text, "2.000000");
-  result.value = 3;
-  EXPECT_EQ(measured_cell(result).text, "3.00");
 }
 
 }  // namespace

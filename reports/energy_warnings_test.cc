@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 Record gain(double value) {
-  Record record;
+  Record record{};  // a mesh of degree 0, as of what has none
   record.case_name = "one";
   record.profile = "quick";
   record.metric = "energy-gain";

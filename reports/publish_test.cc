@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -28,7 +29,8 @@ class Publish : public ::testing::Test {
  protected:
   void SetUp() override {
     directory_ = fs::path(::testing::TempDir()) /
-                 (std::string("publish-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+                 (std::string("publish-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + "-" +
+                  std::to_string(getpid()));  // of two builds' tests at once each has its own
     fs::remove_all(directory_);
   }
   void TearDown() override { fs::remove_all(directory_); }

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <limits>
@@ -30,7 +31,8 @@ class WriteReport : public ::testing::Test {
  protected:
   void SetUp() override {
     directory_ = fs::path(::testing::TempDir()) /
-                 (std::string("report-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+                 (std::string("report-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + "-" +
+                  std::to_string(getpid()));  // of two builds' tests at once each has its own
     fs::remove_all(directory_);
   }
   void TearDown() override { fs::remove_all(directory_); }
