@@ -114,6 +114,14 @@ TEST(FullDiskCases, AReportThatFindsNoSpaceLeavesTheOneBefore) {
   EXPECT_TRUE(all_files(scratch / "disk").empty());
 }
 
+TEST(FullDiskCases, ANewCaseThatFindsNoSpaceIsNotLeftInPart) {
+  const ScratchFolder scratch;
+  Process process(scratch.path(), {"new", "mine.toml"}, with_files_up_to(1000));
+  EXPECT_EQ(process.code(), 2);
+  EXPECT_THAT(process.err(), HasSubstr("mine.toml cannot be written"));
+  EXPECT_FALSE(fs::exists(scratch / "mine.toml"));
+}
+
 TEST(FullDiskCases, AFolderThatMayNotBeWrittenIsToldWithTheReason) {
   const ScratchFolder scratch;
   fs::permissions(scratch.path(), fs::perms::all);

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <csignal>
+#include <memory>
 #include <regex>
+#include <utility>
 
 #include "harness/faults_test.h"
 #include "harness/interruptible.h"
+#include "harness/store/file.h"
 
 namespace mb {
 namespace {
@@ -76,6 +79,28 @@ TEST(SignalCases, WhatStoresNothingEndsAtOnce) {
     EXPECT_TRUE(process.ends_within(10));
     EXPECT_EQ(process.code(), 130) << process.err();
     EXPECT_EQ(process.err(), "interrupted\n");
+  }
+}
+
+// As long as another holds the store, or the folder of the report: a holder that hangs must not hang who waits for it.
+TEST(SignalCases, WhatWaitsForAFolderThatAnotherHoldsEnds) {
+  const ScratchFolder scratch;
+  written(scratch / "case.toml", small_case());
+  ASSERT_EQ(Process(scratch.path(), run).code(), 0);
+  const std::vector<std::pair<const char*, std::vector<std::string>>> waiting{
+      {"results", run}, {"report", {"report", "-o", "report", "case.toml"}}};
+  for (const auto& [folder, words] : waiting) {
+    auto lock = std::make_unique<FolderLock>(scratch / folder);
+    Process process(scratch.path(), words);
+    EXPECT_FALSE(process.ends_within(8)) << "did not wait for " << folder;
+    process.send(SIGINT);
+    EXPECT_TRUE(process.ends_within(Interruptible::patience + 10)) << folder;
+    EXPECT_EQ(process.code(), 130) << process.err();
+    EXPECT_THAT(process.err(), HasSubstr("interrupted")) << folder;
+    lock.reset();
+    Process again(scratch.path(), words);
+    EXPECT_EQ(again.code(), 0) << again.err();
+    expect_sound(scratch / "results");
   }
 }
 
